@@ -1,0 +1,127 @@
+//! Arithmetics: the number type of the points and the kernels of every map on it.
+//!
+//! This is the only entry to real numbers. An arithmetic is a zero-sized type, so a binary may hold
+//! and compare several. To bring an f32 or f64 maths library of your own, implement [`Float`]: eight
+//! functions give every map. To bring a number type of your own, implement [`Arithmetic`].
+//!
+//! | arithmetic | feature | slot | functions |
+//! | --- | --- | --- | --- |
+//! | `LibmF32` | `libm` | `f32` | `libm`, correctly rounded or within 1 ulp, on any core |
+//! | `LibmF64` | `libm` | `f64` | the same in double precision |
+
+use crate::error::Error;
+use core::fmt::Debug;
+
+pub mod contract;
+pub(crate) mod float;
+#[cfg(feature = "libm")]
+mod libm_f32;
+#[cfg(feature = "libm")]
+mod libm_f64;
+
+pub use float::{Float, PowerExponent, Real};
+#[cfg(feature = "libm")]
+pub use libm_f32::LibmF32;
+#[cfg(feature = "libm")]
+pub use libm_f64::LibmF64;
+
+/// A point of the disc before it is rounded to its slot.
+#[derive(Debug)]
+pub struct Disc<A: Arithmetic> {
+    /// First component.
+    pub x: A::Wide,
+    /// Second component.
+    pub y: A::Wide,
+    /// x^2 + y^2, formed from the coordinates; unset unless the kernel was asked for the rim.
+    pub r2: A::Unit,
+    /// 1 - x^2 - y^2 without cancellation; unset unless the kernel was asked for the rim.
+    pub rim: A::Unit,
+}
+
+impl<A: Arithmetic> Clone for Disc<A> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<A: Arithmetic> Copy for Disc<A> {}
+
+/// A number type and the kernels of all maps on it.
+///
+/// Coordinates are read at the centres of their cells. Every kernel is total: all 2^64 pairs of
+/// coordinates give a valid point. `RIM` asks a disc kernel for `r2` and `rim`, which only the lobes
+/// use; an unused one is not always removed by the compiler.
+///
+/// Promises of an implementation, for all inputs: a stored point has x^2 + y^2 <= 1 in exact
+/// arithmetic; a direction has z > 0; a density is positive at every sampled point, and finite.
+pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static {
+    /// Its name on command lines and in tables.
+    const NAME: &'static str;
+
+    /// Whether filling a buffer by blocks of 64 points is faster than one by one. The bits are the
+    /// same either way.
+    const BLOCKED: bool;
+
+    /// A component of a point, as stored.
+    type Real: Copy + Debug + Default + PartialEq + Send + Sync + 'static;
+    /// A component of a point before rounding.
+    type Wide: Copy + Debug + Default;
+    /// A number in [0, 1].
+    type Unit: Copy + Debug + Default;
+    /// An exponent as the user gives it.
+    type Parameter: Copy + Debug;
+    /// A checked exponent with what its kernels need prepared.
+    type Exponent: Copy + Debug + PartialEq;
+
+    /// The unit square itself, each component in [0, 1), rounded toward zero.
+    fn square(uv: [u32; 2]) -> [Self::Real; 2];
+    /// The square [-1, 1]^2 that rejection draws from: x = 2u - 1, y = 2v - 1; without a rim.
+    fn centred(uv: [u32; 2]) -> Disc<Self>;
+    /// The concentric map.
+    fn concentric<const RIM: bool>(uv: [u32; 2]) -> Disc<Self>;
+    /// The polar map: u is the angle, v is r^2.
+    fn polar<const RIM: bool>(uv: [u32; 2]) -> Disc<Self>;
+    /// Rounds a point of the disc to its slot, inward where it would leave the disc.
+    fn store(disc: Disc<Self>) -> [Self::Real; 2];
+
+    /// Lifts to the uniform hemisphere: z = 1 - r^2.
+    fn uniform(disc: Disc<Self>) -> [Self::Real; 3];
+    /// Lifts to the cosine hemisphere: z = sqrt(1 - r^2).
+    fn cosine(disc: Disc<Self>) -> [Self::Real; 3];
+    /// Checks and prepares an exponent.
+    ///
+    /// # Errors
+    /// [`Error::Exponent`] for a value that is not a finite number above -1.
+    fn exponent(parameter: Self::Parameter) -> Result<Self::Exponent, Error>;
+    /// Lifts to the cosine-power hemisphere: z = (1 - r^2)^(1 / (e + 1)).
+    fn power(exponent: Self::Exponent, disc: Disc<Self>) -> [Self::Real; 3];
+
+    /// A stored point of the disc with its r^2 and rim.
+    fn load(point: [Self::Real; 2]) -> Disc<Self>;
+    /// The disc point of a direction of the uniform hemisphere, x and y up to a common factor.
+    fn lower_uniform(direction: [Self::Real; 3]) -> Disc<Self>;
+    /// The disc point of a direction of the cosine hemisphere, x and y up to a common factor.
+    fn lower_cosine(direction: [Self::Real; 3]) -> Disc<Self>;
+    /// The disc point of a direction of the power hemisphere, x and y up to a common factor.
+    fn lower_power(exponent: Self::Exponent, direction: [Self::Real; 3]) -> Disc<Self>;
+    /// The cells of a point of the unit square.
+    fn invert_square(point: [Self::Real; 2]) -> [u32; 2];
+    /// The cells of a point of [-1, 1]^2.
+    fn invert_centred(point: [Self::Real; 2]) -> [u32; 2];
+    /// The cells that the concentric map sends to a disc point.
+    fn invert_concentric(disc: Disc<Self>) -> [u32; 2];
+    /// The cells that the polar map sends to a disc point.
+    fn invert_polar(disc: Disc<Self>) -> [u32; 2];
+
+    /// Density over the unit square, per unit of area.
+    fn square_density(point: [Self::Real; 2]) -> Self::Real;
+    /// Density over the disc, per unit of area: 1 / pi, and 0 outside.
+    fn disc_density(point: [Self::Real; 2]) -> Self::Real;
+    /// Density over directions, per steradian: 1 / (2 pi), and 0 below the horizon.
+    fn uniform_density(direction: [Self::Real; 3]) -> Self::Real;
+    /// Density over directions, per steradian: z / pi, and 0 below the horizon.
+    fn cosine_density(direction: [Self::Real; 3]) -> Self::Real;
+    /// Density over directions, per steradian: (e + 1) z^e / (2 pi), and 0 below the horizon.
+    fn power_density(exponent: Self::Exponent, direction: [Self::Real; 3]) -> Self::Real;
+}

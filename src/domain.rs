@@ -1,0 +1,127 @@
+//! Domains: independent streams of points for one (pixel, effect, bounce).
+//!
+//! A domain is a 64-bit state; a child hashes a key into it (`hash::absorb`). Its keys scramble each axis
+//! and shuffle the index: two Sobol pairs that share an order leave 12 of the 16 cells of a 4 x 4
+//! grid of (u of one, u of the other) empty (B. Burley 2020, section 5; after OpenQMC's domains).
+
+use crate::bits::{
+    hash::{absorb, words},
+    owen::scramble,
+};
+use crate::error::Error;
+use core::ops::Range;
+
+/// An independent stream of points: a `Copy` value of 8 bytes.
+///
+/// ```
+/// use hemidisc::{Domain, sequence::SobolOwen};
+/// const LENS: u32 = 0;
+/// const LIGHT: u32 = 1;
+/// let pixel = Domain::new(7).pixel(120, 64);
+/// let lens = SobolOwen::in_domain(pixel.child(LENS));
+/// let time = pixel.child(LENS).stream();
+/// let bounce = pixel.child(2).child(LIGHT);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Domain {
+    state: [u32; 2],
+}
+
+impl Domain {
+    /// The root domain of a frame, scene or test.
+    pub const fn new(seed: u32) -> Self {
+        Self { state: [0x6865_6d69, 0x6469_7363] }.child(seed)
+    }
+
+    /// The domain of `key` under this one: an effect, a bounce, a frame number. Different keys
+    /// always give different domains.
+    pub const fn child(self, key: u32) -> Self {
+        Self { state: absorb(self.state, key) }
+    }
+
+    /// The domain of a pixel under this one.
+    pub const fn pixel(self, x: u32, y: u32) -> Self {
+        self.child(x).child(y)
+    }
+
+    /// The domain in which every sample of this one branches into `ways`, for `key` as in
+    /// [`child`](Self::child).
+    ///
+    /// The branches of all samples together are one stream: as even as if it had not been split.
+    pub const fn split(self, key: u32, ways: u32) -> Split {
+        Split { domain: self.child(key), ways }
+    }
+
+    /// A well-mixed seed for a sequence that takes one.
+    pub const fn seed(self) -> u32 {
+        self.hashed(0x7365_6564)[0]
+    }
+
+    /// A one-dimensional stream of this domain, independent of the points drawn in it: the choice
+    /// of a light, the time in a shutter.
+    pub const fn stream(self) -> Stream {
+        let [order, key, _] = self.hashed(0x7469_6d65);
+        Stream { order, key }
+    }
+
+    /// Three independent keys: for the order and for each axis.
+    pub(crate) const fn keys(self) -> [u32; 3] {
+        self.hashed(0x6b65_7973)
+    }
+
+    /// Hashes the state for a purpose; its words swap places, so that no purpose is a child's key.
+    const fn hashed(self, purpose: u32) -> [u32; 3] {
+        let [a, b] = self.state;
+        words([b, a], purpose)
+    }
+}
+
+/// The domain of a split, and which of its indices belong to a sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Split {
+    domain: Domain,
+    ways: u32,
+}
+
+impl Split {
+    /// The domain that the branches of all samples share.
+    pub const fn domain(self) -> Domain {
+        self.domain
+    }
+
+    /// The indices, in that domain, of the branches of one sample.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if they do not end below `u32::MAX`.
+    pub const fn branches(self, sample: u32) -> Result<Range<u32>, Error> {
+        if let Some(start) = sample.checked_mul(self.ways)
+            && let Some(end) = start.checked_add(self.ways)
+        {
+            return Ok(start..end);
+        }
+        Err(Error::Range { start: sample, count: self.ways, len: u32::MAX / self.ways })
+    }
+}
+
+/// A one-dimensional stream: the Owen-scrambled van der Corput sequence in shuffled order.
+///
+/// Promise: each block of 2^k values that starts at a multiple of 2^k has one in each of 2^k strata.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stream {
+    order: u32,
+    key: u32,
+}
+
+impl Stream {
+    /// The value of any index, a `u32` cell like a coordinate.
+    #[inline]
+    pub const fn at(self, index: u32) -> u32 {
+        scramble(scramble(index, self.order).reverse_bits(), self.key)
+    }
+
+    /// The value of any index as one of `ways` equally likely choices, 0 for `ways` = 0.
+    #[inline]
+    pub const fn choose(self, index: u32, ways: u32) -> u32 {
+        ((self.at(index) as u64 * ways as u64) >> 32) as u32
+    }
+}

@@ -1,0 +1,148 @@
+//! What can be wrong with a caller's values, each with the value and what is accepted.
+
+use core::fmt;
+
+/// An axis of the unit square.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The first coordinate.
+    U,
+    /// The second coordinate.
+    V,
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::U => "u",
+            Self::V => "v",
+        })
+    }
+}
+
+/// Why a constructor or a conversion refused its arguments.
+///
+/// Every variant carries the offending value; its [`Display`](fmt::Display) form is one line that
+/// also says what is accepted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A coordinate that is not a number in [0, 1).
+    Coordinate {
+        /// Which axis.
+        axis: Axis,
+        /// What was given (an `f32` widens to `f64` exactly).
+        value: f64,
+    },
+    /// A set of points with a count of zero along an axis, or in all.
+    EmptySet {
+        /// Columns asked for (the number of points, for a set that has no grid).
+        columns: u32,
+        /// Rows asked for (1 for a set that has no grid).
+        rows: u32,
+    },
+    /// A grid whose number of points does not fit in a `u32`.
+    SetTooLarge {
+        /// Columns asked for.
+        columns: u32,
+        /// Rows asked for.
+        rows: u32,
+    },
+    /// A stored set with more than `u32::MAX` points.
+    StoredTooLong {
+        /// Points in the slice.
+        len: usize,
+    },
+    /// A range of indices that does not lie within the set.
+    Range {
+        /// First index asked for.
+        start: u32,
+        /// How many points were asked for.
+        count: u32,
+        /// How many the set has.
+        len: u32,
+    },
+    /// A shard number that is not below the number of shards.
+    Shard {
+        /// Shard asked for, counted from 0.
+        shard: u32,
+        /// Number of shards.
+        of: u32,
+    },
+    /// A fixed-size request for more points than the set has.
+    TooShort {
+        /// Points in the set.
+        len: u32,
+        /// Points wanted.
+        wanted: usize,
+    },
+    /// A buffer that cannot hold the set.
+    Capacity {
+        /// Points in the set.
+        len: u32,
+        /// Points the buffer can hold.
+        capacity: usize,
+    },
+    /// An exponent that is not a finite number above -1.
+    Exponent {
+        /// What was given (an `f32` widens to `f64` exactly).
+        value: f64,
+    },
+    /// A vector that is not of unit length.
+    NotUnit {
+        /// The square of its length.
+        length_squared: f64,
+    },
+    /// A vector without a direction: zero, infinite or not a number.
+    NoDirection,
+    /// A limit of zero draws for each point.
+    NoDraws,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Coordinate { axis, value } => {
+                write!(f, "coordinate {axis} is {value}; accepted: 0 <= {axis} < 1")
+            }
+            Self::EmptySet { columns, rows } => {
+                write!(f, "a set of {columns} x {rows} points is empty; accepted: at least 1 x 1")
+            }
+            Self::SetTooLarge { columns, rows } => write!(
+                f,
+                "a set of {columns} x {rows} points is too large; accepted: at most {} points",
+                u32::MAX
+            ),
+            Self::StoredTooLong { len } => {
+                write!(f, "a stored set of {len} points; accepted: at most {}", u32::MAX)
+            }
+            Self::Range { start, count, len } => write!(
+                f,
+                "{count} points from index {start} are outside the set; accepted: indices below {len}"
+            ),
+            Self::Shard { shard, of } => {
+                write!(f, "shard {shard} of {of}; accepted: shard below the number of shards")
+            }
+            Self::TooShort { len, wanted } => {
+                write!(f, "{wanted} points wanted of a set of {len}; accepted: at most {len}")
+            }
+            Self::Capacity { len, capacity } => write!(
+                f,
+                "a set of {len} points for a buffer of {capacity}; accepted: at most {capacity}"
+            ),
+            Self::Exponent { value } => {
+                write!(f, "exponent is {value}; accepted: a finite number above -1")
+            }
+            Self::NotUnit { length_squared } => write!(
+                f,
+                "a vector with length squared {length_squared}; accepted: 1 within one part in 1024"
+            ),
+            Self::NoDirection => f.write_str(
+                "a vector that is zero, infinite or not a number; accepted: finite, not zero",
+            ),
+            Self::NoDraws => f.write_str("a limit of 0 draws a point; accepted: at least 1"),
+        }
+    }
+}
+
+impl core::error::Error for Error {}

@@ -1,0 +1,74 @@
+//! Maps onto the unit disc: density 1 / pi per unit of area.
+
+mod concentric;
+mod polar;
+mod rejection;
+
+pub use concentric::Concentric;
+pub use polar::Polar;
+pub use rejection::Rejection;
+
+use super::Map;
+use crate::arithmetic::Disc;
+
+/// A one-to-one map onto the disc, which a lobe can lift to the hemisphere.
+pub trait DiscMap: Map {
+    /// Its name on command lines and in tables.
+    const NAME: &'static str;
+
+    /// The point before rounding; with its r^2 and 1 - r^2 if `RIM`.
+    fn disc<const RIM: bool>(&self, uv: [u32; 2]) -> Disc<Self::Arithmetic>;
+
+    /// The coordinates of a point given by its direction (x and y), r^2 and 1 - r^2.
+    fn invert_disc(&self, disc: Disc<Self::Arithmetic>) -> [u32; 2];
+}
+
+/// A disc map whose kernels are the arithmetic's functions of the same names.
+macro_rules! disc_map {
+    ($map:ident, $kernel:ident, $invert:ident, $name:literal) => {
+        impl<A> $map<A> {
+            /// The map; it has no parameters.
+            pub const fn new() -> Self {
+                Self(core::marker::PhantomData)
+            }
+        }
+
+        impl<A: Arithmetic> Map for $map<A> {
+            type Arithmetic = A;
+            type Point = [A::Real; 2];
+
+            #[inline(always)]
+            fn sample(&self, uv: [u32; 2]) -> [A::Real; 2] {
+                A::store(A::$kernel::<false>(uv))
+            }
+
+            #[inline]
+            fn density(&self, point: [A::Real; 2]) -> A::Real {
+                A::disc_density(point)
+            }
+
+            #[inline]
+            fn invert(&self, point: [A::Real; 2]) -> [u32; 2] {
+                A::$invert(A::load(point))
+            }
+        }
+
+        impl<A: Arithmetic> DiscMap for $map<A> {
+            const NAME: &'static str = $name;
+
+            #[inline(always)]
+            fn disc<const RIM: bool>(&self, uv: [u32; 2]) -> Disc<A> {
+                A::$kernel::<RIM>(uv)
+            }
+
+            #[inline]
+            fn invert_disc(&self, disc: Disc<A>) -> [u32; 2] {
+                A::$invert(disc)
+            }
+        }
+
+        #[cfg(feature = "rand")]
+        crate::map::distribution!(A: Arithmetic; $map<A> => [A::Real; 2]);
+    };
+}
+use disc_map;

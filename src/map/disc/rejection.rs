@@ -1,0 +1,133 @@
+//! Rejection: draw candidates from [-1, 1]^2, keep those inside the disc.
+//!
+//! The inside-test is exact, on integers: with magnitudes m and n of the two coordinates about the
+//! centre, (2m + 1)^2 + (2n + 1)^2 <= 2^64 is m (m + 1) + n (n + 1) < 2^62. About 1 - pi/4 = 21.5 % of the
+//! candidates are lost, and with them the strata of a stratified set.
+
+use crate::arithmetic::Arithmetic;
+use crate::error::Error;
+use core::marker::PhantomData;
+use core::num::NonZeroU32;
+
+/// An iterator adaptor from coordinates to the points of the disc that survive.
+///
+/// The draws are bounded: by the length of the candidates ([`new`](Self::new)), or to a number for
+/// each point ([`bounded`](Self::bounded)), for a generator that never ends.
+///
+/// ```
+/// use hemidisc::{LibmF32, disc::Rejection, sequence::{Sequence, Regular}};
+/// let grid = Regular::new(4, 4)?;
+/// let mut kept = Rejection::<LibmF32, _>::new((0..16).map(|i| grid.at(i)));
+/// assert_eq!(kept.by_ref().count(), 12);
+/// assert_eq!((kept.drawn(), kept.kept()), (16, 12));
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Rejection<A, I> {
+    candidates: I,
+    limit: Option<NonZeroU32>,
+    drawn: u64,
+    kept: u64,
+    arithmetic: PhantomData<A>,
+}
+
+impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Rejection<A, I> {
+    /// Draws until the candidates end; their exact length is the bound.
+    pub const fn new(candidates: I) -> Self
+    where
+        I: ExactSizeIterator,
+    {
+        Self { candidates, limit: None, drawn: 0, kept: 0, arithmetic: PhantomData }
+    }
+
+    /// Draws at most `limit` candidates for each point, from candidates that may never end.
+    ///
+    /// Where all `limit` are outside, the last of them is mapped concentrically instead: still
+    /// on the disc. For independent candidates that happens to one point in 4.66^`limit`, so a
+    /// limit of 32 is never reached by chance (2e-21).
+    ///
+    /// # Errors
+    /// [`Error::NoDraws`] for a limit of 0.
+    pub fn bounded(candidates: I, limit: u32) -> Result<Self, Error> {
+        match NonZeroU32::new(limit) {
+            Some(limit) => Ok(Self {
+                candidates,
+                limit: Some(limit),
+                drawn: 0,
+                kept: 0,
+                arithmetic: PhantomData,
+            }),
+            None => Err(Error::NoDraws),
+        }
+    }
+
+    /// Candidates drawn so far.
+    pub const fn drawn(&self) -> u64 {
+        self.drawn
+    }
+
+    /// Candidates found inside so far; a fallback point does not count.
+    pub const fn kept(&self) -> u64 {
+        self.kept
+    }
+}
+
+impl<A: Arithmetic, I> Rejection<A, I> {
+    /// Whether a candidate is inside the disc, exactly.
+    #[inline]
+    pub const fn inside([u, v]: [u32; 2]) -> bool {
+        const fn square(k: u32) -> u64 {
+            let j = (k ^ 0x8000_0000).cast_signed();
+            let m = (j ^ (j >> 31)).cast_unsigned() as u64;
+            m * (m + 1)
+        }
+        square(u) + square(v) < 1 << 62
+    }
+
+    /// The point of a candidate, if it is inside: (2u - 1, 2v - 1).
+    #[inline]
+    pub fn sample(uv: [u32; 2]) -> Option<[A::Real; 2]> {
+        Self::inside(uv).then(|| A::store(A::centred(uv)))
+    }
+
+    /// The density of the survivors: 1 / pi, and 0 outside the disc.
+    #[inline]
+    pub fn density(point: [A::Real; 2]) -> A::Real {
+        A::disc_density(point)
+    }
+
+    /// The candidate of a point.
+    #[inline]
+    pub fn invert(point: [A::Real; 2]) -> [u32; 2] {
+        A::invert_centred(point)
+    }
+}
+
+impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Iterator for Rejection<A, I> {
+    type Item = [A::Real; 2];
+
+    fn next(&mut self) -> Option<[A::Real; 2]> {
+        let mut misses = 0;
+        loop {
+            let candidate = self.candidates.next()?;
+            self.drawn += 1;
+            if let Some(point) = Self::sample(candidate) {
+                self.kept += 1;
+                return Some(point);
+            }
+            misses += 1;
+            if self.limit.is_some_and(|limit| misses >= limit.get()) {
+                return Some(A::store(A::concentric::<false>(candidate)));
+            }
+        }
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (0, self.candidates.size_hint().1)
+    }
+}
+
+impl<A: Arithmetic, I: core::iter::FusedIterator<Item = [u32; 2]>> core::iter::FusedIterator
+    for Rejection<A, I>
+{
+}

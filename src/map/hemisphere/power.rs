@@ -1,0 +1,27 @@
+//! Cosine-power lobe: z = (1 - r^2)^(1 / (e + 1)), density (e + 1) z^e / (2 pi) per steradian
+//! (K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 7).
+
+use super::{Lobe, lobe};
+use crate::arithmetic::{Arithmetic, Disc};
+use crate::error::Error;
+
+/// z = (1 - r^2)^(1 / (e + 1)): the tighter about the pole the larger e; e = 0 is uniform, 1 cosine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PowerLobe<A: Arithmetic> {
+    exponent: A::Exponent,
+}
+
+impl<A: Arithmetic> PowerLobe<A> {
+    /// # Errors
+    /// [`Error::Exponent`] for a value that is not a finite number above -1.
+    pub(super) fn new(exponent: A::Parameter) -> Result<Self, Error> {
+        Ok(Self { exponent: A::exponent(exponent)? })
+    }
+
+    /// The exponent, checked and prepared.
+    pub const fn exponent(&self) -> A::Exponent {
+        self.exponent
+    }
+}
+
+lobe!(PowerLobe, power, lower_power, power_density, exponent);

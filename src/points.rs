@@ -1,0 +1,374 @@
+//! Points: a sequence through a map, as a `Copy` value; and the one loop that fills a buffer.
+//!
+//! A part of a set is byte-identical to the same indices of the whole, so a set can be split over
+//! threads, machines or time. Filling takes single points up to a multiple of 64, whole blocks of
+//! 64 an axis at a time, then the rest; where blocks do not pay (`Arithmetic::BLOCKED`) it takes the
+//! points one by one. The bits are the same.
+
+use crate::arithmetic::Arithmetic;
+use crate::error::Error;
+use crate::map::Map;
+use crate::sequence::{BLOCK, Sequence};
+use core::iter::FusedIterator;
+
+#[cfg(target_pointer_width = "16")]
+compile_error!("hemidisc counts points in u32 and needs a usize of at least 32 bits");
+
+/// A range of indices of a sequence, mapped.
+///
+/// ```
+/// use hemidisc::{Concentric, LibmF32, Points, sequence::MultiJittered};
+/// let lens = Points::new(MultiJittered::new(8, 8, 7)?, Concentric::<LibmF32>::new());
+/// let mut buffer = [[0.0; 2]; 64];
+/// assert_eq!(lens.fill(&mut buffer), 64);
+/// assert!(buffer.iter().all(|[x, y]| x * x + y * y <= 1.0));
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Points<S, M> {
+    sequence: S,
+    map: M,
+    start: u32,
+    len: u32,
+}
+
+impl<S: Sequence, M: Map> Points<S, M> {
+    /// All points of a set, or the first 2^32 - 1 of an endless sequence.
+    pub fn new(sequence: S, map: M) -> Self {
+        Self { sequence, map, start: 0, len: sequence.size().unwrap_or(u32::MAX) }
+    }
+
+    /// `count` points of `sequence` from index `start`; the way to index `u32::MAX`.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if they are not within the set, or not below 2^32.
+    pub fn of_range(sequence: S, map: M, start: u32, count: u32) -> Result<Self, Error> {
+        let end = u64::from(start) + u64::from(count);
+        let size = sequence.size().map_or(1 << 32, u64::from);
+        if end > size {
+            let len = sequence.size().unwrap_or(u32::MAX);
+            return Err(Error::Range { start, count, len });
+        }
+        Ok(Self { sequence, map, start, len: count })
+    }
+
+    /// `count` points of this set, from its `start`-th on.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if they are not within this set.
+    pub fn range(self, start: u32, count: u32) -> Result<Self, Error> {
+        if u64::from(start) + u64::from(count) > u64::from(self.len) {
+            return Err(Error::Range { start, count, len: self.len });
+        }
+        Ok(Self { start: self.start.wrapping_add(start), len: count, ..self })
+    }
+
+    /// The first `count` points.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if there are fewer.
+    pub fn first(self, count: u32) -> Result<Self, Error> {
+        self.range(0, count)
+    }
+
+    /// The points before and from `middle`.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if `middle` exceeds the length.
+    pub fn split_at(self, middle: u32) -> Result<(Self, Self), Error> {
+        let before = self.range(0, middle)?;
+        let after = self.range(middle, self.len - middle)?;
+        Ok((before, after))
+    }
+
+    /// The `shard`-th, counted from 0, of `of` consecutive parts whose lengths differ by at most 1.
+    ///
+    /// # Errors
+    /// [`Error::Shard`] unless `shard` < `of`.
+    pub fn shard(self, shard: u32, of: u32) -> Result<Self, Error> {
+        if shard >= of {
+            return Err(Error::Shard { shard, of });
+        }
+        // Below `len`, for shard + 1 <= of.
+        let edge = |k: u64| (u64::from(self.len) * k / u64::from(of)) as u32;
+        let start = edge(shard.into());
+        self.range(start, edge(u64::from(shard) + 1) - start)
+    }
+
+    /// How many points there are.
+    pub const fn len(&self) -> u32 {
+        self.len
+    }
+
+    /// Whether there are none.
+    pub const fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// The sequence.
+    pub const fn sequence(&self) -> &S {
+        &self.sequence
+    }
+
+    /// The map.
+    pub const fn map(&self) -> &M {
+        &self.map
+    }
+
+    /// The `index`-th point, if there is one; O(1).
+    #[inline]
+    pub fn get(&self, index: u32) -> Option<M::Point> {
+        Some(self.map.sample(self.coordinates(index)?))
+    }
+
+    /// The coordinates of the `index`-th point on the unit square, if there is one.
+    #[inline]
+    pub fn coordinates(&self, index: u32) -> Option<[u32; 2]> {
+        (index < self.len).then(|| self.sequence.point(self.start.wrapping_add(index)))
+    }
+
+    /// The points in order.
+    pub const fn iter(&self) -> Iter<S, M> {
+        Iter { points: *self }
+    }
+
+    /// Writes points into the caller's buffer until either ends; says how many.
+    ///
+    /// The rest of a longer buffer is left as it is.
+    #[inline]
+    pub fn fill(&self, buffer: &mut [M::Point]) -> usize {
+        let count = buffer.len().min(self.len as usize);
+        let Some(buffer) = buffer.get_mut(..count) else { return 0 };
+        if M::Arithmetic::BLOCKED {
+            let ahead = (self.start.wrapping_neg() % BLOCK as u32) as usize;
+            let (head, rest) = buffer.split_at_mut(ahead.min(count));
+            self.fill_singly(self.start, head);
+            let mut start = self.start.wrapping_add(ahead as u32);
+            let (blocks, tail) = rest.as_chunks_mut::<BLOCK>();
+            let (mut u, mut v) = ([0; BLOCK], [0; BLOCK]);
+            for block in blocks {
+                self.sequence.block(start, &mut u, &mut v);
+                self.map.sample_block(&u, &v, block);
+                start = start.wrapping_add(BLOCK as u32);
+            }
+            self.fill_singly(start, tail);
+        } else {
+            self.fill_singly(self.start, buffer);
+        }
+        count
+    }
+
+    #[inline(always)]
+    fn fill_singly(&self, start: u32, buffer: &mut [M::Point]) {
+        for (slot, uv) in buffer.iter_mut().zip(self.sequence.iter(start)) {
+            *slot = self.map.sample(uv);
+        }
+    }
+
+    /// The first `N` points as an array.
+    ///
+    /// # Errors
+    /// [`Error::TooShort`] if there are fewer.
+    ///
+    /// ```
+    /// use hemidisc::{Concentric, LibmF32, Points, sequence::Sobol};
+    /// let lens = Points::new(Sobol::new(0), Concentric::<LibmF32>::new());
+    /// let aperture: [[f32; 2]; 16] = lens.to_array()?;
+    /// # Ok::<(), hemidisc::Error>(())
+    /// ```
+    pub fn to_array<const N: usize>(&self) -> Result<[M::Point; N], Error> {
+        if N > self.len as usize {
+            return Err(Error::TooShort { len: self.len, wanted: N });
+        }
+        let mut array = [M::Point::default(); N];
+        self.fill(&mut array);
+        Ok(array)
+    }
+
+    /// Consecutive arrays of `N` points; the last `len` mod `N` points are left to
+    /// [`Chunks::remainder`].
+    ///
+    /// ```
+    /// use hemidisc::{Cosine, LibmF32, Points, sequence::Hammersley};
+    /// let rays = Points::new(Hammersley::new(10)?, Cosine::<LibmF32>::new());
+    /// let mut chunks = rays.chunks::<4>();
+    /// assert_eq!(chunks.by_ref().count(), 2);
+    /// assert_eq!(chunks.remainder().len(), 2);
+    /// # Ok::<(), hemidisc::Error>(())
+    /// ```
+    pub const fn chunks<const N: usize>(&self) -> Chunks<S, M, N> {
+        Chunks { points: *self }
+    }
+}
+
+/// Filling `heapless` vectors, which cannot panic on a short capacity.
+#[cfg(feature = "heapless")]
+impl<S: Sequence, M: Map> Points<S, M> {
+    /// Appends points until the set or the vector's capacity ends; says how many.
+    ///
+    /// ```
+    /// use hemidisc::{Concentric, LibmF32, Points, sequence::R2};
+    /// let lens = Points::new(R2::new(0), Concentric::<LibmF32>::new());
+    /// let mut buffer: heapless::Vec<[f32; 2], 16> = heapless::Vec::new();
+    /// assert_eq!(lens.extend_vec(&mut buffer), 16);
+    /// ```
+    pub fn extend_vec<const N: usize>(&self, vec: &mut heapless::Vec<M::Point, N>) -> usize {
+        let before = vec.len();
+        for point in self.iter().take(vec.capacity() - before) {
+            // There is room, so nothing is refused.
+            if vec.push(point).is_err() {
+                break;
+            }
+        }
+        vec.len() - before
+    }
+
+    /// The whole set in a vector of capacity `N`.
+    ///
+    /// # Errors
+    /// [`Error::Capacity`] if the set is larger than `N`.
+    pub fn to_vec<const N: usize>(&self) -> Result<heapless::Vec<M::Point, N>, Error> {
+        if self.len as usize > N {
+            return Err(Error::Capacity { len: self.len, capacity: N });
+        }
+        let mut vec = heapless::Vec::new();
+        self.extend_vec(&mut vec);
+        Ok(vec)
+    }
+}
+
+impl<S: Sequence, M: Map> IntoIterator for Points<S, M> {
+    type Item = M::Point;
+    type IntoIter = Iter<S, M>;
+
+    fn into_iter(self) -> Iter<S, M> {
+        self.iter()
+    }
+}
+
+impl<S: Sequence, M: Map> IntoIterator for &Points<S, M> {
+    type Item = M::Point;
+    type IntoIter = Iter<S, M>;
+
+    fn into_iter(self) -> Iter<S, M> {
+        self.iter()
+    }
+}
+
+/// An iterator over points: exact-size, double-ended, fused, with O(1) `nth` from both ends.
+#[derive(Clone, Debug)]
+pub struct Iter<S, M> {
+    points: Points<S, M>,
+}
+
+impl<S: Sequence, M: Map> Iter<S, M> {
+    /// The points that are left.
+    pub const fn as_points(&self) -> Points<S, M> {
+        self.points
+    }
+
+    /// Drops `count` points from the front; empties the iterator if there are not as many.
+    #[inline]
+    fn drop_front(&mut self, count: usize) {
+        let count = count.min(self.points.len as usize) as u32;
+        self.points.start = self.points.start.wrapping_add(count);
+        self.points.len -= count;
+    }
+}
+
+impl<S: Sequence, M: Map> Iterator for Iter<S, M> {
+    type Item = M::Point;
+
+    #[inline]
+    fn next(&mut self) -> Option<M::Point> {
+        let point = self.points.get(0)?;
+        self.drop_front(1);
+        Some(point)
+    }
+
+    #[inline]
+    fn nth(&mut self, n: usize) -> Option<M::Point> {
+        self.drop_front(n);
+        self.next()
+    }
+
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let len = self.points.len as usize;
+        (len, Some(len))
+    }
+
+    #[inline]
+    fn count(self) -> usize {
+        self.points.len as usize
+    }
+
+    #[inline]
+    fn last(mut self) -> Option<M::Point> {
+        self.next_back()
+    }
+
+    #[inline]
+    fn fold<B, F: FnMut(B, M::Point) -> B>(self, init: B, mut f: F) -> B {
+        let Points { sequence, map, start, len } = self.points;
+        let coordinates = sequence.iter(start).take(len as usize);
+        coordinates.fold(init, |sum, uv| f(sum, map.sample(uv)))
+    }
+}
+
+impl<S: Sequence, M: Map> DoubleEndedIterator for Iter<S, M> {
+    #[inline]
+    fn next_back(&mut self) -> Option<M::Point> {
+        let last = self.points.len.checked_sub(1)?;
+        let point = self.points.get(last)?;
+        self.points.len = last;
+        Some(point)
+    }
+
+    #[inline]
+    fn nth_back(&mut self, n: usize) -> Option<M::Point> {
+        self.points.len -= n.min(self.points.len as usize) as u32;
+        self.next_back()
+    }
+}
+
+impl<S: Sequence, M: Map> ExactSizeIterator for Iter<S, M> {}
+impl<S: Sequence, M: Map> FusedIterator for Iter<S, M> {}
+
+/// An iterator over arrays of `N` consecutive points.
+#[derive(Clone, Debug)]
+pub struct Chunks<S, M, const N: usize> {
+    points: Points<S, M>,
+}
+
+impl<S: Sequence, M: Map, const N: usize> Chunks<S, M, N> {
+    const SIZE: u32 = {
+        assert!(N > 0 && N as u64 <= u32::MAX as u64, "a chunk has at least one point");
+        N as u32
+    };
+
+    /// The points not yet given; once the iterator has ended, fewer than `N`.
+    pub const fn remainder(&self) -> Points<S, M> {
+        self.points
+    }
+}
+
+impl<S: Sequence, M: Map, const N: usize> Iterator for Chunks<S, M, N> {
+    type Item = [M::Point; N];
+
+    #[inline]
+    fn next(&mut self) -> Option<[M::Point; N]> {
+        let (chunk, rest) = self.points.split_at(Self::SIZE).ok()?;
+        self.points = rest;
+        chunk.to_array().ok()
+    }
+
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let len = (self.points.len / Self::SIZE) as usize;
+        (len, Some(len))
+    }
+}
+
+impl<S: Sequence, M: Map, const N: usize> ExactSizeIterator for Chunks<S, M, N> {}
+impl<S: Sequence, M: Map, const N: usize> FusedIterator for Chunks<S, M, N> {}

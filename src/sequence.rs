@@ -1,0 +1,133 @@
+//! Sequences: pure functions from (index, parameters, seed) to two `u32` coordinates.
+//!
+//! Integers only, no state, O(1) for any index, the same bits on every target. Each file states
+//! its promise, which strata of the square a set of points hits, and `invariant` proves it.
+//!
+//! | sequence | points | seed | promise |
+//! | --- | --- | --- | --- |
+//! | [`Regular`] | m x n | none | one point at the centre of each cell of an m x n grid |
+//! | [`Random`] | endless | hashed | none: independent uniform points |
+//! | [`Jittered`] | m x n | hashed | one point in each cell of an m x n grid |
+//! | [`NRooks`] | N | hashed | one point in each of N columns and in each of N rows |
+//! | [`MultiJittered`] | m x n | hashed | both: m x n cells, and mn columns and rows |
+//! | [`Correlated`] | m x n | hashed | both, with evenly spread neighbours, in shuffled order |
+//! | [`Hammersley`] | N | none | N columns; for N = 2^k every elementary interval |
+//! | [`Halton`] | endless | none | elementary intervals of 2^a x 3^b |
+//! | [`Sobol`] | endless | xor shift | each aligned block of 2^k is a (0, k, 2)-net |
+//! | [`SobolOwen`] | endless | scramble | as Sobol, randomly scrambled, in shuffled order |
+//! | [`R2`] | endless | additive shift | none proved: low discrepancy for every N |
+//! | [`Stored`] | the slice's | none | the caller's own points |
+//! | [`Shuffled`] | as inside | hashed | another set's points in another order |
+
+mod correlated;
+mod halton;
+mod hammersley;
+mod jittered;
+mod multi_jittered;
+mod n_rooks;
+mod r2;
+mod random;
+mod regular;
+#[cfg(feature = "rand_core")]
+mod rng;
+mod shuffled;
+mod sobol;
+mod sobol_owen;
+mod stored;
+
+pub use correlated::Correlated;
+pub use halton::Halton;
+pub use hammersley::Hammersley;
+pub use jittered::Jittered;
+pub use multi_jittered::MultiJittered;
+pub use n_rooks::NRooks;
+pub use r2::R2;
+pub use random::Random;
+pub use regular::Regular;
+#[cfg(feature = "rand_core")]
+pub use rng::FromRng;
+pub use shuffled::Shuffled;
+pub use sobol::Sobol;
+pub use sobol_owen::SobolOwen;
+pub use stored::Stored;
+
+use crate::error::Error;
+
+/// Points in a block: what [`Sequence::block`] makes and a block of a map consumes at a time.
+pub const BLOCK: usize = 64;
+
+/// One coordinate of a block of points.
+pub type Block = [u32; BLOCK];
+
+/// A set or an endless sequence of points on the unit square.
+///
+/// Implement [`size`](Self::size) and [`point`](Self::point); the rest is provided, and may be
+/// overridden as long as it gives the same bits.
+pub trait Sequence: Copy {
+    /// How many points there are; `None` for a sequence that has one for every `u32` index.
+    fn size(&self) -> Option<u32>;
+
+    /// The point of any index. A set repeats from its [`size`](Self::size) on.
+    fn point(&self, index: u32) -> [u32; 2];
+
+    /// The points from index `start` on, without end; the index wraps after `u32::MAX`.
+    #[inline(always)]
+    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
+        let sequence = *self;
+        let mut index = start;
+        core::iter::repeat_with(move || {
+            let point = sequence.point(index);
+            index = index.wrapping_add(1);
+            point
+        })
+    }
+
+    /// The points of indices `start` .. `start` + 64, `start` a multiple of 64, an axis at a time.
+    #[inline(always)]
+    fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
+        for (offset, (u, v)) in (0..).zip(u.iter_mut().zip(v)) {
+            [*u, *v] = self.point(start.wrapping_add(offset));
+        }
+    }
+}
+
+/// An m x n grid that is neither empty nor larger than a `u32` counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Grid {
+    columns: u32,
+    rows: u32,
+}
+
+impl Grid {
+    pub(crate) const fn new(columns: u32, rows: u32) -> Result<Self, Error> {
+        if columns == 0 || rows == 0 {
+            return Err(Error::EmptySet { columns, rows });
+        }
+        if columns.checked_mul(rows).is_none() {
+            return Err(Error::SetTooLarge { columns, rows });
+        }
+        Ok(Self { columns, rows })
+    }
+
+    pub(crate) const fn size(self) -> u32 {
+        self.columns * self.rows
+    }
+
+    /// Column and row of a point: row by row, repeating after the last.
+    #[inline(always)]
+    pub(crate) const fn cell(self, index: u32) -> [u32; 2] {
+        let index = repeat(index, self.size());
+        [index % self.columns, index / self.columns]
+    }
+}
+
+/// `index` modulo `size`, without a division for an index inside the set.
+#[inline(always)]
+const fn repeat(index: u32, size: u32) -> u32 {
+    if index < size { index } else { index % size }
+}
+
+/// The check that a set without a grid is not empty.
+const fn not_empty(count: u32) -> Result<(), Error> {
+    if count == 0 { Err(Error::EmptySet { columns: 0, rows: 1 }) } else { Ok(()) }
+}

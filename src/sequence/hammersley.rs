@@ -1,0 +1,52 @@
+//! Hammersley set of N points: u = i / N, v = the radical inverse of i in base 2
+//! (J. Hammersley, "Monte Carlo Methods for Solving Multivariable Problems", 1960).
+
+use super::{Sequence, not_empty, repeat};
+use crate::bits::strata::Strata;
+use crate::error::Error;
+
+/// The N-point Hammersley set: u = ceil(2^32 i / N), v = i with its bits reversed.
+///
+/// Promise: each of the N strata of u holds one point; for N = 2^k the set is a (0, k, 2)-net, that
+/// is, every elementary interval of area 1/N holds exactly one. Takes no seed.
+///
+/// ```
+/// use hemidisc::sequence::Hammersley;
+/// assert_eq!(Hammersley::new(4)?.at(3), [0xc000_0000, 0xc000_0000]);
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hammersley {
+    strata: Strata,
+}
+
+impl Hammersley {
+    /// A set of `count` points.
+    ///
+    /// # Errors
+    /// [`Error::EmptySet`] if `count` is 0.
+    pub const fn new(count: u32) -> Result<Self, Error> {
+        match not_empty(count) {
+            Ok(()) => Ok(Self { strata: Strata::new(count) }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The point of any index; the set repeats after `count` points.
+    #[inline]
+    pub const fn at(self, index: u32) -> [u32; 2] {
+        let index = repeat(index, self.strata.count());
+        [self.strata.first(index), index.reverse_bits()]
+    }
+}
+
+impl Sequence for Hammersley {
+    fn size(&self) -> Option<u32> {
+        Some(self.strata.count())
+    }
+
+    #[inline(always)]
+    fn point(&self, index: u32) -> [u32; 2] {
+        self.at(index)
+    }
+}

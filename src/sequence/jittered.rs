@@ -1,0 +1,63 @@
+//! Jittered points: one uniformly random point in every cell of an m x n grid
+//! (R. Cook, "Stochastic Sampling in Computer Graphics", 1986).
+
+use super::{Grid, Sequence};
+use crate::bits::{hash::Pairs, strata::Strata};
+use crate::error::Error;
+
+/// One random point in each cell of an m x n grid: column i mod m, row i / m.
+///
+/// Promise: exactly one point in each of the m x n cells. The order is row by row; a renderer that
+/// pairs two such sets shuffles one ([`Shuffled`](super::Shuffled)).
+///
+/// ```
+/// use hemidisc::sequence::Jittered;
+/// let [u, v] = Jittered::new(4, 4, 7)?.at(5);
+/// assert_eq!([u >> 30, v >> 30], [1, 1]);
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Jittered {
+    grid: Grid,
+    columns: Strata,
+    rows: Strata,
+    jitter: Pairs,
+}
+
+impl Jittered {
+    /// A grid of `columns` x `rows`; every seed, 0 too, is hashed.
+    ///
+    /// # Errors
+    /// [`Error::EmptySet`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
+    pub const fn new(columns: u32, rows: u32, seed: u32) -> Result<Self, Error> {
+        match Grid::new(columns, rows) {
+            Ok(grid) => Ok(Self {
+                grid,
+                columns: Strata::new(columns),
+                rows: Strata::new(rows),
+                jitter: Pairs::new(seed),
+            }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The point of any index; the set repeats after m n points.
+    #[inline]
+    pub const fn at(self, index: u32) -> [u32; 2] {
+        let index = super::repeat(index, self.grid.size());
+        let [column, row] = self.grid.cell(index);
+        let [u, v] = self.jitter.at(index);
+        [self.columns.jittered(column, u), self.rows.jittered(row, v)]
+    }
+}
+
+impl Sequence for Jittered {
+    fn size(&self) -> Option<u32> {
+        Some(self.grid.size())
+    }
+
+    #[inline(always)]
+    fn point(&self, index: u32) -> [u32; 2] {
+        self.at(index)
+    }
+}

@@ -1,0 +1,78 @@
+//! Multi-jittered points: jittered and n-rooks at once (K. Chiu, P. Shirley and C. Wang,
+//! "Multi-Jittered Sampling", Graphics Gems IV, 1994).
+//!
+//! The cell in column c and row r puts its point into fine column c n + P_c(r) and fine row
+//! r m + Q_r(c) of an mn x mn board, where P_c permutes the n rows of column c and Q_r the m
+//! columns of row r, each with a key of its own.
+
+use super::{Grid, Sequence, repeat};
+use crate::bits::{
+    hash::{Pairs, key},
+    permute::permute,
+    strata::Strata,
+};
+use crate::error::Error;
+
+/// One random point in each cell of an m x n grid that also has one in each of mn columns and rows.
+///
+/// Promise: exactly one point in each of the m x n cells, in each of the mn strata of u and in each
+/// of the mn strata of v. The order is row by row. A point costs two permutations (12 rounds each).
+///
+/// ```
+/// use hemidisc::sequence::MultiJittered;
+/// let set = MultiJittered::new(2, 2, 7)?;
+/// let mut columns = [0, 1, 2, 3].map(|i| set.at(i)[0] >> 30);
+/// columns.sort();
+/// assert_eq!(columns, [0, 1, 2, 3]);
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MultiJittered {
+    grid: Grid,
+    fine: Strata,
+    in_columns: u32,
+    in_rows: u32,
+    jitter: Pairs,
+}
+
+impl MultiJittered {
+    /// A grid of `columns` x `rows`; every seed, 0 too, is hashed.
+    ///
+    /// # Errors
+    /// [`Error::EmptySet`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
+    pub const fn new(columns: u32, rows: u32, seed: u32) -> Result<Self, Error> {
+        match Grid::new(columns, rows) {
+            Ok(grid) => Ok(Self {
+                grid,
+                fine: Strata::new(grid.size()),
+                in_columns: key(seed, 0),
+                in_rows: key(seed, 1),
+                jitter: Pairs::new(seed),
+            }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The point of any index; the set repeats after m n points.
+    #[inline]
+    pub const fn at(self, index: u32) -> [u32; 2] {
+        let index = repeat(index, self.grid.size());
+        let Grid { columns, rows } = self.grid;
+        let [column, row] = self.grid.cell(index);
+        let fine_column = column * rows + permute(row, rows, key(self.in_columns, column));
+        let fine_row = row * columns + permute(column, columns, key(self.in_rows, row));
+        let [u, v] = self.jitter.at(index);
+        [self.fine.jittered(fine_column, u), self.fine.jittered(fine_row, v)]
+    }
+}
+
+impl Sequence for MultiJittered {
+    fn size(&self) -> Option<u32> {
+        Some(self.grid.size())
+    }
+
+    #[inline(always)]
+    fn point(&self, index: u32) -> [u32; 2] {
+        self.at(index)
+    }
+}

@@ -1,0 +1,42 @@
+//! Random points by a counter hash: white noise with random access.
+
+use super::Sequence;
+use crate::bits::hash::Pairs;
+
+/// Independent uniform points: a hash of index and seed.
+///
+/// Promise: none about strata; unlike a generator it has no state, so any index costs the same
+/// (three bijective hashes of two multiplications each).
+///
+/// ```
+/// use hemidisc::sequence::Random;
+/// assert_ne!(Random::new(1).at(0), Random::new(2).at(0));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Random {
+    pairs: Pairs,
+}
+
+impl Random {
+    /// The stream of `seed`; every seed, 0 too, is hashed.
+    pub const fn new(seed: u32) -> Self {
+        Self { pairs: Pairs::new(seed) }
+    }
+
+    /// The point of any index.
+    #[inline]
+    pub const fn at(self, index: u32) -> [u32; 2] {
+        self.pairs.at(index)
+    }
+}
+
+impl Sequence for Random {
+    fn size(&self) -> Option<u32> {
+        None
+    }
+
+    #[inline(always)]
+    fn point(&self, index: u32) -> [u32; 2] {
+        self.at(index)
+    }
+}

@@ -1,0 +1,70 @@
+//! Points that the caller has stored: recorded, random, or a table in flash.
+
+use super::Sequence;
+use crate::error::Error;
+
+/// The caller's own points, in a slice of at least one.
+///
+/// Promise: whatever the slice holds. A point costs a load.
+///
+/// ```
+/// use hemidisc::sequence::Stored;
+/// let points = [[0, 0], [1 << 31, 1 << 30]];
+/// assert_eq!(Stored::new(&points)?.at(1), [1 << 31, 1 << 30]);
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stored<'a> {
+    points: &'a [[u32; 2]],
+}
+
+impl<'a> Stored<'a> {
+    /// The points of a slice.
+    ///
+    /// # Errors
+    /// [`Error::EmptySet`] for an empty slice, [`Error::StoredTooLong`] for more than a `u32`
+    /// counts.
+    pub const fn new(points: &'a [[u32; 2]]) -> Result<Self, Error> {
+        if points.is_empty() {
+            return Err(Error::EmptySet { columns: 0, rows: 1 });
+        }
+        if points.len() as u64 > u32::MAX as u64 {
+            return Err(Error::StoredTooLong { len: points.len() });
+        }
+        Ok(Self { points })
+    }
+
+    /// The point of any index; the set repeats after its last point.
+    #[inline]
+    pub const fn at(self, index: u32) -> [u32; 2] {
+        let index = super::repeat(index, self.points.len() as u32);
+        self.points[index as usize]
+    }
+}
+
+impl Sequence for Stored<'_> {
+    fn size(&self) -> Option<u32> {
+        Some(self.points.len() as u32)
+    }
+
+    #[inline(always)]
+    fn point(&self, index: u32) -> [u32; 2] {
+        self.at(index)
+    }
+
+    #[inline(always)]
+    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
+        let start = super::repeat(start, self.points.len() as u32) as usize;
+        let (before, from) = self.points.split_at_checked(start).unwrap_or((&[], self.points));
+        from.iter()
+            .chain(core::iter::repeat_with(move || before.iter().chain(from)).flatten())
+            .copied()
+    }
+
+    #[inline(always)]
+    fn block(&self, start: u32, u: &mut super::Block, v: &mut super::Block) {
+        for ((u, v), point) in u.iter_mut().zip(v).zip(self.iter(start)) {
+            [*u, *v] = point;
+        }
+    }
+}
