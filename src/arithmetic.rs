@@ -70,7 +70,7 @@ pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static
     /// A number in [0, 1].
     type Unit: Copy + Debug + Default;
     /// An exponent as the user gives it.
-    type Parameter: Copy + Debug;
+    type Parameter: Copy + Debug + core::str::FromStr;
     /// A checked exponent with what its kernels need prepared.
     type Exponent: Copy + Debug + PartialEq;
 

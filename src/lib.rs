@@ -10,6 +10,7 @@ mod square;
 
 pub mod arithmetic;
 pub mod bits;
+pub mod catalogue;
 pub mod domain;
 pub mod map;
 pub mod points;

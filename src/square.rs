@@ -15,7 +15,7 @@ use crate::error::{Axis, Error};
 /// let cell = Square::try_from([0.25_f32, 0.5])?;
 /// assert_eq!(cell, Square([0x4000_0000, 0x8000_0000]));
 /// assert_eq!(cell.to_f32(), [0.25, 0.5]);
-/// let error = Square::try_from([0.25, 1.0]).unwrap_err();
+/// let error = Square::try_from([0.25_f64, 1.0]).unwrap_err();
 /// assert_eq!(error.to_string(), "coordinate v is 1; accepted: 0 <= v < 1");
 /// # Ok::<(), hemidisc::Error>(())
 /// ```

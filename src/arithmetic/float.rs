@@ -40,6 +40,7 @@ pub trait Real:
     + Mul<Output = Self>
     + Div<Output = Self>
     + Into<f64>
+    + core::str::FromStr
     + sealed::Sealed
 {
     #[doc(hidden)]

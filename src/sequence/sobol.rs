@@ -42,22 +42,24 @@ const fn textbook(index: u32) -> [u32; 2] {
     [u, pascal(u)]
 }
 
-/// Pascal's triangle modulo 2 applied to the bits of `x`, the highest first.
+/// Pascal's triangle modulo 2 applied to the bits of `x`, the highest first: bit pairs, then pairs
+/// of pairs, and so on take the lower half into the upper.
 const fn pascal(mut x: u32) -> u32 {
-    x ^= x >> 1 & 0x5555_5555;
-    x ^= x >> 2 & 0x3333_3333;
-    x ^= x >> 4 & 0x0f0f_0f0f;
-    x ^= x >> 8 & 0x00ff_00ff;
-    x ^ (x >> 16)
-}
-
-/// [`pascal`] on the reversed index: `pascal_reversed(i)` is `pascal(i.reverse_bits())` reversed.
-pub(super) const fn pascal_reversed(mut x: u32) -> u32 {
     x ^= x << 1 & 0xaaaa_aaaa;
     x ^= x << 2 & 0xcccc_cccc;
     x ^= x << 4 & 0xf0f0_f0f0;
     x ^= x << 8 & 0xff00_ff00;
     x ^ (x << 16)
+}
+
+/// [`pascal`] in the reversed-bit domain: `pascal_reversed(i)` is `pascal(i.reverse_bits())` with
+/// its bits reversed.
+pub(super) const fn pascal_reversed(mut x: u32) -> u32 {
+    x ^= x >> 1 & 0x5555_5555;
+    x ^= x >> 2 & 0x3333_3333;
+    x ^= x >> 4 & 0x0f0f_0f0f;
+    x ^= x >> 8 & 0x00ff_00ff;
+    x ^ (x >> 16)
 }
 
 /// The first 64 points, which xor with the first point of a block to give the rest of it.
