@@ -19,38 +19,16 @@ mod libm_f32;
 #[cfg(feature = "libm")]
 mod libm_f64;
 
-pub use float::{Float, PowerExponent, Real};
+pub use float::{Float, FloatDisc, PowerExponent, Real};
 #[cfg(feature = "libm")]
 pub use libm_f32::LibmF32;
 #[cfg(feature = "libm")]
 pub use libm_f64::LibmF64;
 
-/// A point of the disc before it is rounded to its slot.
-#[derive(Debug)]
-pub struct Disc<A: Arithmetic> {
-    /// First component.
-    pub x: A::Wide,
-    /// Second component.
-    pub y: A::Wide,
-    /// x^2 + y^2, formed from the coordinates; unset unless the kernel was asked for the rim.
-    pub r2: A::Unit,
-    /// 1 - x^2 - y^2 without cancellation; unset unless the kernel was asked for the rim.
-    pub rim: A::Unit,
-}
-
-impl<A: Arithmetic> Clone for Disc<A> {
-    #[inline(always)]
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<A: Arithmetic> Copy for Disc<A> {}
-
 /// A number type and the kernels of all maps on it.
 ///
 /// Coordinates are read at the centres of their cells. Every kernel is total: all 2^64 pairs of
-/// coordinates give a valid point. `RIM` asks a disc kernel for `r2` and `rim`, which only the lobes
+/// coordinates give a valid point. `RIM` asks a disc kernel for r^2 and 1 - r^2, which only the lobes
 /// use; an unused one is not always removed by the compiler.
 ///
 /// Promises of an implementation, for all inputs: a stored point has x^2 + y^2 <= 1 in exact
@@ -65,10 +43,9 @@ pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static
 
     /// A component of a point, as stored.
     type Real: Copy + Debug + Default + PartialEq + Send + Sync + 'static;
-    /// A component of a point before rounding.
-    type Wide: Copy + Debug + Default;
-    /// A number in [0, 1].
-    type Unit: Copy + Debug + Default;
+    /// A point of the disc before it is rounded to its slot, with what the lobes need of it: r^2 and
+    /// 1 - r^2 formed from the coordinates, without cancellation.
+    type Disc: Copy + Debug;
     /// An exponent as the user gives it.
     type Parameter: Copy + Debug + core::str::FromStr;
     /// A checked exponent with what its kernels need prepared.
@@ -76,43 +53,44 @@ pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static
 
     /// The unit square itself, each component in [0, 1), rounded toward zero.
     fn square(uv: [u32; 2]) -> [Self::Real; 2];
-    /// The square [-1, 1]^2 that rejection draws from: x = 2u - 1, y = 2v - 1; without a rim.
-    fn centred(uv: [u32; 2]) -> Disc<Self>;
+    /// The square [-1, 1]^2 that rejection draws from, x = 2u - 1, y = 2v - 1, for coordinates inside
+    /// the disc.
+    fn centred(uv: [u32; 2]) -> [Self::Real; 2];
     /// The concentric map.
-    fn concentric<const RIM: bool>(uv: [u32; 2]) -> Disc<Self>;
+    fn concentric<const RIM: bool>(uv: [u32; 2]) -> Self::Disc;
     /// The polar map: u is the angle, v is r^2.
-    fn polar<const RIM: bool>(uv: [u32; 2]) -> Disc<Self>;
+    fn polar<const RIM: bool>(uv: [u32; 2]) -> Self::Disc;
     /// Rounds a point of the disc to its slot, inward where it would leave the disc.
-    fn store(disc: Disc<Self>) -> [Self::Real; 2];
+    fn store(disc: Self::Disc) -> [Self::Real; 2];
 
     /// Lifts to the uniform hemisphere: z = 1 - r^2.
-    fn uniform(disc: Disc<Self>) -> [Self::Real; 3];
+    fn uniform(disc: Self::Disc) -> [Self::Real; 3];
     /// Lifts to the cosine hemisphere: z = sqrt(1 - r^2).
-    fn cosine(disc: Disc<Self>) -> [Self::Real; 3];
+    fn cosine(disc: Self::Disc) -> [Self::Real; 3];
     /// Checks and prepares an exponent.
     ///
     /// # Errors
     /// [`Error::Exponent`] for a value that is not a finite number above -1.
     fn exponent(parameter: Self::Parameter) -> Result<Self::Exponent, Error>;
     /// Lifts to the cosine-power hemisphere: z = (1 - r^2)^(1 / (e + 1)).
-    fn power(exponent: Self::Exponent, disc: Disc<Self>) -> [Self::Real; 3];
+    fn power(exponent: Self::Exponent, disc: Self::Disc) -> [Self::Real; 3];
 
-    /// A stored point of the disc with its r^2 and rim.
-    fn load(point: [Self::Real; 2]) -> Disc<Self>;
-    /// The disc point of a direction of the uniform hemisphere, x and y up to a common factor.
-    fn lower_uniform(direction: [Self::Real; 3]) -> Disc<Self>;
-    /// The disc point of a direction of the cosine hemisphere, x and y up to a common factor.
-    fn lower_cosine(direction: [Self::Real; 3]) -> Disc<Self>;
-    /// The disc point of a direction of the power hemisphere, x and y up to a common factor.
-    fn lower_power(exponent: Self::Exponent, direction: [Self::Real; 3]) -> Disc<Self>;
+    /// A stored point of the disc, for its inverse.
+    fn load(point: [Self::Real; 2]) -> Self::Disc;
+    /// The disc point of a direction of the uniform hemisphere, for its inverse.
+    fn lower_uniform(direction: [Self::Real; 3]) -> Self::Disc;
+    /// The disc point of a direction of the cosine hemisphere, for its inverse.
+    fn lower_cosine(direction: [Self::Real; 3]) -> Self::Disc;
+    /// The disc point of a direction of the power hemisphere, for its inverse.
+    fn lower_power(exponent: Self::Exponent, direction: [Self::Real; 3]) -> Self::Disc;
     /// The cells of a point of the unit square.
     fn invert_square(point: [Self::Real; 2]) -> [u32; 2];
     /// The cells of a point of [-1, 1]^2.
     fn invert_centred(point: [Self::Real; 2]) -> [u32; 2];
     /// The cells that the concentric map sends to a disc point.
-    fn invert_concentric(disc: Disc<Self>) -> [u32; 2];
+    fn invert_concentric(disc: Self::Disc) -> [u32; 2];
     /// The cells that the polar map sends to a disc point.
-    fn invert_polar(disc: Disc<Self>) -> [u32; 2];
+    fn invert_polar(disc: Self::Disc) -> [u32; 2];
 
     /// Density over the unit square, per unit of area.
     fn square_density(point: [Self::Real; 2]) -> Self::Real;

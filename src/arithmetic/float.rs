@@ -2,8 +2,8 @@
 //!
 //! **Coordinates.** 2u - 1 of a cell k is (2j + 1) / 2^32 with the signed j = k - 2^31. Its magnitude is
 //! (2m + 1) / 2^32 with m = j ^ (j >> 31), one correctly rounded conversion, so mirror images are equal
-//! bit for bit. The distance to the edge, 1 - |2u - 1| = (2 (2^31 - 1 - m) + 1) / 2^32, is formed from the
-//! integer as well, so 1 - r^2 = d (2 - d) has no cancellation.
+//! bit for bit. r^2 = (2m + 1)^2 / 2^64 and 1 - r^2 are exact integers of 64 bits, so each is correctly
+//! rounded too: nothing cancels at the rim.
 //!
 //! **Concentric** (P. Shirley and K. Chiu, "A Low Distortion Map between Disk and Square", 1997).
 //! With the larger magnitude r and the smaller n, phi = pi/4 n/r is in [0, pi/4]; x = r cos phi,
@@ -11,15 +11,18 @@
 //!
 //! **Polar.** 2 pi u is folded to an octant on the integer: the angle within it is exact.
 //!
+//! **Lobes** take the direction (cos phi, sin phi) and form sin theta from r^2 and 1 - r^2: two roundings
+//! fewer than scaling x and y.
+//!
 //! **Inward.** Rounding leaves about half of the rim outside the disc. Only those points move, by one
 //! ulp of their larger component; shrinking all of them would cost accuracy everywhere.
 //!
-//! **Power.** With L = ln(1 - r^2), z = exp(L / (e + 1)). sin theta = sqrt(1 - z^2) loses every digit by
-//! e = 1e8, so it is built from factors near 1: with q = -2 L / (e + 1), g = -L / r^2, h = (1 - exp(-q)) / q,
-//! sin theta = r sqrt(2 / (e + 1)) sqrt(g h). Nothing underflows up to e = 3e38 in f32. L comes from r^2
-//! where r^2 < 1/2, else from 1 - r^2.
+//! **Power.** With L = ln(1 - r^2), z = exp(L / (e + 1)). sqrt(1 - z^2) loses every digit of sin theta
+//! by e = 1e8, so with q = -2 L / (e + 1), sin theta = sqrt(-expm1(-q)); where q nears the end of the
+//! type's range (e near 3e38) it is sqrt(2 / (e + 1)) sqrt(-L), whose factors do not underflow. L comes
+//! from r^2 where r^2 < 1/2, else from 1 - r^2.
 
-use super::{Arithmetic, Disc};
+use super::Arithmetic;
 use crate::error::Error;
 use crate::square::{centre_f32, centre_f64};
 use core::fmt::Debug;
@@ -57,6 +60,9 @@ pub trait Real:
     const EPSILON: Self;
     #[doc(hidden)]
     const MIN_POSITIVE: Self;
+    /// Far above the smallest normal number, far below 1.
+    #[doc(hidden)]
+    const TINY: Self;
     #[doc(hidden)]
     const MAX: Self;
     #[doc(hidden)]
@@ -68,6 +74,9 @@ pub trait Real:
     /// n / 2^32, correctly rounded.
     #[doc(hidden)]
     fn over_2_32(n: u32) -> Self;
+    /// n / 2^64, correctly rounded.
+    #[doc(hidden)]
+    fn over_2_64(n: u64) -> Self;
     /// (2k + 1) / 2^33, correctly rounded.
     #[doc(hidden)]
     fn centre(k: u32) -> Self;
@@ -107,6 +116,7 @@ macro_rules! real {
             const FOUR: Self = 4.0;
             const EPSILON: Self = $float::EPSILON;
             const MIN_POSITIVE: Self = $float::MIN_POSITIVE;
+            const TINY: Self = $float::MIN_POSITIVE * (1_u64 << 32) as $float;
             const MAX: Self = $float::MAX;
             const FRAC_PI_4: Self = core::$float::consts::FRAC_PI_4;
             const FRAC_4_PI: Self = 4.0 * core::$float::consts::FRAC_1_PI;
@@ -115,6 +125,10 @@ macro_rules! real {
             #[inline(always)]
             fn over_2_32(n: u32) -> Self {
                 n as $float * (1.0 / 4_294_967_296.0)
+            }
+            #[inline(always)]
+            fn over_2_64(n: u64) -> Self {
+                n as $float * (1.0 / 18_446_744_073_709_551_616.0)
             }
             #[inline(always)]
             fn centre(k: u32) -> Self {
@@ -250,28 +264,40 @@ fn pull<T: Float>(x: T::Real, y: T::Real) -> [T::Real; 2] {
     [a.with_sign(x), b.with_sign(y)]
 }
 
-#[inline(always)]
-fn concentric<T: Float, const RIM: bool>([u, v]: [u32; 2]) -> Disc<T> {
-    let ((m_u, sign_u), (m_v, sign_v)) = (fold(u), fold(v));
-    let swap = m_v > m_u;
-    let (major, minor) = if swap { (m_v, m_u) } else { (m_u, m_v) };
-    let r = T::Real::over_2_32(2 * major + 1);
-    let (sin, cos) = T::sin_cos(T::Real::FRAC_PI_4 * (T::Real::over_2_32(2 * minor + 1) / r));
-    let (x, y) = if swap { (r * sin, r * cos) } else { (r * cos, r * sin) };
-    let (r2, rim) = if RIM {
-        let edge = T::Real::over_2_32(2 * (0x7fff_ffff - major) + 1);
-        (r * r, edge * (T::Real::TWO - edge))
-    } else {
-        (T::Real::ZERO, T::Real::ZERO)
-    };
-    Disc { x: signed(x, sign_u), y: signed(y, sign_v), r2, rim }
+/// A point of the disc: r (x, y).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FloatDisc<R> {
+    /// (cos phi, sin phi); up to a common factor where an inverse begins.
+    direction: [R; 2],
+    r: R,
+    r2: R,
+    /// 1 - r^2.
+    rim: R,
 }
 
 #[inline(always)]
-fn polar<T: Float>([u, v]: [u32; 2]) -> Disc<T> {
-    // Half turns about the x axis: u and !u are mirror images, so fold before rounding.
-    let below = (u.cast_signed() >> 31).cast_unsigned();
-    let half = u ^ below;
+fn concentric<T: Float>([u, v]: [u32; 2]) -> FloatDisc<T::Real> {
+    let ((m_u, sign_u), (m_v, sign_v)) = (fold(u), fold(v));
+    let swap = m_v > m_u;
+    let (major, minor) = if swap { (2 * m_v + 1, 2 * m_u + 1) } else { (2 * m_u + 1, 2 * m_v + 1) };
+    let r = T::Real::over_2_32(major);
+    let (sin, cos) = T::sin_cos(T::Real::FRAC_PI_4 * (T::Real::over_2_32(minor) / r));
+    let (x, y) = if swap { (sin, cos) } else { (cos, sin) };
+    let square = u64::from(major) * u64::from(major);
+    FloatDisc {
+        direction: [signed(x, sign_u), signed(y, sign_v)],
+        r,
+        r2: T::Real::over_2_64(square),
+        // 2^64 - square; a major magnitude is odd, so the square is not 0.
+        rim: T::Real::over_2_64(square.wrapping_neg()),
+    }
+}
+
+#[inline(always)]
+fn polar<T: Float>([u, v]: [u32; 2]) -> FloatDisc<T::Real> {
+    // u and !u are mirror images in the x axis: fold before rounding.
+    let below = u.cast_signed() >> 31;
+    let half = u ^ below.cast_unsigned();
     // 31 bits of a half turn: the quarter, the octant in it, 29 bits within.
     let left = half & 1 << 30 != 0;
     let quarter = if left { half ^ 0x7fff_ffff } else { half };
@@ -279,15 +305,20 @@ fn polar<T: Float>([u, v]: [u32; 2]) -> Disc<T> {
     let octant = if steep { quarter ^ 0x3fff_ffff } else { quarter };
     let within = T::Real::over_2_32(2 * octant + 1) * T::Real::FOUR;
     let (sin, cos) = T::sin_cos(T::Real::FRAC_PI_4 * within);
-    let (cos, sin) = if steep { (sin, cos) } else { (cos, sin) };
+    let (x, y) = if steep { (sin, cos) } else { (cos, sin) };
     let r2 = T::Real::centre(v);
-    let r = T::sqrt(r2);
-    Disc {
-        x: if left { -(r * cos) } else { r * cos },
-        y: if below != 0 { -(r * sin) } else { r * sin },
+    FloatDisc {
+        direction: [if left { -x } else { x }, signed(y, below)],
+        r: T::sqrt(r2),
         r2,
         rim: T::Real::centre(!v),
     }
+}
+
+/// A point from its direction and distance to the axis.
+#[inline(always)]
+fn scaled<T: Float>([x, y]: [T::Real; 2], by: T::Real) -> [T::Real; 2] {
+    inward::<T>(x * by, y * by)
 }
 
 /// x^2 + y^2 of a direction or a point of the disc.
@@ -310,19 +341,12 @@ fn log_rim<T: Float>(exponent: PowerExponent<T::Real>, [x, y, z]: [T::Real; 3]) 
     -(scaled * g)
 }
 
-/// (1 - exp(-q)) / q for q >= 0.
-#[inline]
-fn mean_decay<T: Float>(q: T::Real) -> T::Real {
-    if q < T::Real::EPSILON * T::Real::HALF { T::Real::ONE } else { -T::exp_m1(-q) / q }
-}
-
 impl<T: Float> Arithmetic for T {
     const NAME: &'static str = T::NAME;
     const BLOCKED: bool = false;
 
     type Real = T::Real;
-    type Wide = T::Real;
-    type Unit = T::Real;
+    type Disc = FloatDisc<T::Real>;
     type Parameter = T::Real;
     type Exponent = PowerExponent<T::Real>;
 
@@ -332,42 +356,39 @@ impl<T: Float> Arithmetic for T {
     }
 
     #[inline(always)]
-    fn centred([u, v]: [u32; 2]) -> Disc<T> {
-        let ((m_u, sign_u), (m_v, sign_v)) = (fold(u), fold(v));
-        Disc {
-            x: signed(T::Real::over_2_32(2 * m_u + 1), sign_u),
-            y: signed(T::Real::over_2_32(2 * m_v + 1), sign_v),
-            r2: T::Real::ZERO,
-            rim: T::Real::ZERO,
-        }
+    fn centred(uv: [u32; 2]) -> [T::Real; 2] {
+        let [x, y] = uv.map(|k| {
+            let (m, sign) = fold(k);
+            signed(T::Real::over_2_32(2 * m + 1), sign)
+        });
+        inward::<T>(x, y)
     }
 
     #[inline(always)]
-    fn concentric<const RIM: bool>(uv: [u32; 2]) -> Disc<T> {
-        concentric::<T, RIM>(uv)
+    fn concentric<const RIM: bool>(uv: [u32; 2]) -> FloatDisc<T::Real> {
+        concentric::<T>(uv)
     }
 
     #[inline(always)]
-    fn polar<const RIM: bool>(uv: [u32; 2]) -> Disc<T> {
+    fn polar<const RIM: bool>(uv: [u32; 2]) -> FloatDisc<T::Real> {
         polar::<T>(uv)
     }
 
     #[inline(always)]
-    fn store(disc: Disc<T>) -> [T::Real; 2] {
-        inward::<T>(disc.x, disc.y)
+    fn store(disc: FloatDisc<T::Real>) -> [T::Real; 2] {
+        scaled::<T>(disc.direction, disc.r)
     }
 
-    /// sin theta = sqrt(1 - (1 - r^2)^2) = r sqrt(1 + (1 - r^2)).
+    /// sin theta = sqrt(1 - (1 - r^2)^2) = sqrt(r^2 (1 + (1 - r^2))).
     #[inline(always)]
-    fn uniform(disc: Disc<T>) -> [T::Real; 3] {
-        let k = T::sqrt(T::Real::ONE + disc.rim);
-        let [x, y] = inward::<T>(disc.x * k, disc.y * k);
+    fn uniform(disc: FloatDisc<T::Real>) -> [T::Real; 3] {
+        let [x, y] = scaled::<T>(disc.direction, T::sqrt(disc.r2 * (T::Real::ONE + disc.rim)));
         [x, y, disc.rim]
     }
 
     #[inline(always)]
-    fn cosine(disc: Disc<T>) -> [T::Real; 3] {
-        let [x, y] = inward::<T>(disc.x, disc.y);
+    fn cosine(disc: FloatDisc<T::Real>) -> [T::Real; 3] {
+        let [x, y] = scaled::<T>(disc.direction, disc.r);
         [x, y, T::sqrt(disc.rim)]
     }
 
@@ -381,40 +402,46 @@ impl<T: Float> Arithmetic for T {
     }
 
     #[inline]
-    fn power(exponent: PowerExponent<T::Real>, disc: Disc<T>) -> [T::Real; 3] {
+    fn power(exponent: PowerExponent<T::Real>, disc: FloatDisc<T::Real>) -> [T::Real; 3] {
         let log = if disc.r2 < T::Real::HALF { T::ln_1p(-disc.r2) } else { T::ln(disc.rim) };
         let log_z = log / exponent.e_plus_1;
         let z = T::exp(log_z);
         // Below e = 0 the true z leaves the range of the type in the last cells.
         let z = if z < T::Real::MIN_POSITIVE { T::Real::MIN_POSITIVE } else { z };
-        let g = -log / disc.r2;
-        let h = mean_decay::<T>(-T::Real::TWO * log_z);
-        let k = exponent.spread * T::sqrt(g * h);
-        let [x, y] = inward::<T>(disc.x * k, disc.y * k);
+        let q = -T::Real::TWO * log_z;
+        let sin = if q > T::Real::TINY {
+            T::sqrt(-T::exp_m1(-q))
+        } else {
+            exponent.spread * T::sqrt(-log)
+        };
+        let [x, y] = scaled::<T>(disc.direction, sin);
         [x, y, z]
     }
 
     #[inline]
-    fn load([x, y]: [T::Real; 2]) -> Disc<T> {
+    fn load([x, y]: [T::Real; 2]) -> FloatDisc<T::Real> {
         let (a, b) = sorted(x.magnitude(), y.magnitude());
         let rim = (T::Real::ONE - a) * (T::Real::ONE + a) - b * b;
-        Disc { x, y, r2: length_squared(x, y), rim }
+        lowered::<T>([x, y], length_squared(x, y), rim)
     }
 
     #[inline]
-    fn lower_uniform([x, y, z]: [T::Real; 3]) -> Disc<T> {
-        Disc { x, y, r2: length_squared(x, y) / (T::Real::ONE + z), rim: z }
+    fn lower_uniform([x, y, z]: [T::Real; 3]) -> FloatDisc<T::Real> {
+        lowered::<T>([x, y], length_squared(x, y) / (T::Real::ONE + z), z)
     }
 
     #[inline]
-    fn lower_cosine([x, y, z]: [T::Real; 3]) -> Disc<T> {
-        Disc { x, y, r2: length_squared(x, y), rim: z * z }
+    fn lower_cosine([x, y, z]: [T::Real; 3]) -> FloatDisc<T::Real> {
+        lowered::<T>([x, y], length_squared(x, y), z * z)
     }
 
     #[inline]
-    fn lower_power(exponent: PowerExponent<T::Real>, [x, y, z]: [T::Real; 3]) -> Disc<T> {
+    fn lower_power(
+        exponent: PowerExponent<T::Real>,
+        [x, y, z]: [T::Real; 3],
+    ) -> FloatDisc<T::Real> {
         let log = log_rim::<T>(exponent, [x, y, z]);
-        Disc { x, y, r2: -T::exp_m1(log), rim: T::exp(log) }
+        lowered::<T>([x, y], -T::exp_m1(log), T::exp(log))
     }
 
     #[inline]
@@ -428,29 +455,27 @@ impl<T: Float> Arithmetic for T {
     }
 
     #[inline]
-    fn invert_concentric(disc: Disc<T>) -> [u32; 2] {
-        let (x, y) = (disc.x.magnitude(), disc.y.magnitude());
-        let swap = y > x;
-        let (a, b) = sorted(x, y);
-        let r = T::sqrt(disc.r2);
+    fn invert_concentric(disc: FloatDisc<T::Real>) -> [u32; 2] {
+        let [x, y] = disc.direction;
+        let (steep, t) = octant::<T>(x, y);
         let major = if disc.r2 < T::Real::HALF {
-            r.cell(31)
+            disc.r.cell(31)
         } else {
-            0x7fff_ffff_u32.saturating_sub((disc.rim / (T::Real::ONE + r)).cell(31))
+            0x7fff_ffff_u32.saturating_sub((disc.rim / (T::Real::ONE + disc.r)).cell(31))
         };
-        let minor = (r * (T::atan(b / a) * T::Real::FRAC_4_PI)).cell(31);
-        let (m_u, m_v) = if swap { (minor, major) } else { (major, minor) };
-        [unfold(m_u, disc.x), unfold(m_v, disc.y)]
+        let minor = (disc.r * t).cell(31);
+        let (m_u, m_v) = if steep { (minor, major) } else { (major, minor) };
+        [unfold(m_u, x), unfold(m_v, y)]
     }
 
     #[inline]
-    fn invert_polar(disc: Disc<T>) -> [u32; 2] {
-        let (x, y) = (disc.x.magnitude(), disc.y.magnitude());
-        let (a, b) = sorted(x, y);
-        let octant = (T::atan(b / a) * T::Real::FRAC_4_PI).cell(29).min(0x1fff_ffff);
-        let quarter = if y > x { octant ^ 0x3fff_ffff } else { octant };
-        let half = if disc.x < T::Real::ZERO { quarter ^ 0x7fff_ffff } else { quarter };
-        let u = if disc.y < T::Real::ZERO { !half } else { half };
+    fn invert_polar(disc: FloatDisc<T::Real>) -> [u32; 2] {
+        let [x, y] = disc.direction;
+        let (steep, t) = octant::<T>(x, y);
+        let octant = t.cell(29).min(0x1fff_ffff);
+        let quarter = if steep { octant ^ 0x3fff_ffff } else { octant };
+        let half = if x < T::Real::ZERO { quarter ^ 0x7fff_ffff } else { quarter };
+        let u = if y < T::Real::ZERO { !half } else { half };
         let v = if disc.r2 < T::Real::HALF { disc.r2.cell(32) } else { !disc.rim.cell(32) };
         [u, v]
     }
@@ -487,6 +512,20 @@ impl<T: Float> Arithmetic for T {
         let density = exponent.e_plus_1 * (T::Real::FRAC_1_PI * T::Real::HALF) * T::exp(log);
         if density < T::Real::MAX { density } else { T::Real::MAX }
     }
+}
+
+/// A point of the disc where an inverse begins.
+#[inline(always)]
+fn lowered<T: Float>(direction: [T::Real; 2], r2: T::Real, rim: T::Real) -> FloatDisc<T::Real> {
+    FloatDisc { direction, r: T::sqrt(r2), r2, rim }
+}
+
+/// Whether |y| > |x|, and the angle from the nearer axis as a fraction of an octant.
+#[inline(always)]
+fn octant<T: Float>(x: T::Real, y: T::Real) -> (bool, T::Real) {
+    let (x, y) = (x.magnitude(), y.magnitude());
+    let (a, b) = sorted(x, y);
+    (y > x, T::atan(b / a) * T::Real::FRAC_4_PI)
 }
 
 /// The coordinate of a magnitude and its sign: the inverse of [`fold`].

@@ -9,7 +9,7 @@ pub use polar::Polar;
 pub use rejection::Rejection;
 
 use super::Map;
-use crate::arithmetic::Disc;
+use crate::arithmetic::Arithmetic;
 
 /// A one-to-one map onto the disc, which a lobe can lift to the hemisphere.
 pub trait DiscMap: Map {
@@ -17,10 +17,10 @@ pub trait DiscMap: Map {
     const NAME: &'static str;
 
     /// The point before rounding; with its r^2 and 1 - r^2 if `RIM`.
-    fn disc<const RIM: bool>(&self, uv: [u32; 2]) -> Disc<Self::Arithmetic>;
+    fn disc<const RIM: bool>(&self, uv: [u32; 2]) -> <Self::Arithmetic as Arithmetic>::Disc;
 
     /// The coordinates of a point given by its direction (x and y), r^2 and 1 - r^2.
-    fn invert_disc(&self, disc: Disc<Self::Arithmetic>) -> [u32; 2];
+    fn invert_disc(&self, disc: <Self::Arithmetic as Arithmetic>::Disc) -> [u32; 2];
 }
 
 /// A disc map whose kernels are the arithmetic's functions of the same names.
@@ -57,12 +57,12 @@ macro_rules! disc_map {
             const NAME: &'static str = $name;
 
             #[inline(always)]
-            fn disc<const RIM: bool>(&self, uv: [u32; 2]) -> Disc<A> {
+            fn disc<const RIM: bool>(&self, uv: [u32; 2]) -> A::Disc {
                 A::$kernel::<RIM>(uv)
             }
 
             #[inline]
-            fn invert_disc(&self, disc: Disc<A>) -> [u32; 2] {
+            fn invert_disc(&self, disc: A::Disc) -> [u32; 2] {
                 A::$invert(disc)
             }
         }

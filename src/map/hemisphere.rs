@@ -13,7 +13,7 @@ pub use uniform::UniformLobe;
 
 use super::Map;
 use super::disc::{Concentric, DiscMap, Polar};
-use crate::arithmetic::{Arithmetic, Disc};
+use crate::arithmetic::Arithmetic;
 use crate::error::Error;
 use core::marker::PhantomData;
 
@@ -23,10 +23,13 @@ pub trait Lobe: Copy {
     type Arithmetic: Arithmetic;
 
     /// The direction above a point of the disc.
-    fn lift(&self, disc: Disc<Self::Arithmetic>) -> Direction<Self::Arithmetic>;
+    fn lift(&self, disc: <Self::Arithmetic as Arithmetic>::Disc) -> Direction<Self::Arithmetic>;
 
     /// The point of the disc below a direction, x and y up to a common factor.
-    fn lower(&self, direction: Direction<Self::Arithmetic>) -> Disc<Self::Arithmetic>;
+    fn lower(
+        &self,
+        direction: Direction<Self::Arithmetic>,
+    ) -> <Self::Arithmetic as Arithmetic>::Disc;
 
     /// The density of directions, per steradian; 0 below the horizon.
     fn density(&self, direction: Direction<Self::Arithmetic>) -> Slot<Self::Arithmetic>;
@@ -147,12 +150,12 @@ macro_rules! lobe {
             type Arithmetic = A;
 
             #[inline(always)]
-            fn lift(&self, disc: Disc<A>) -> [A::Real; 3] {
+            fn lift(&self, disc: A::Disc) -> [A::Real; 3] {
                 A::$lift($(self.$parameter,)? disc)
             }
 
             #[inline]
-            fn lower(&self, direction: [A::Real; 3]) -> Disc<A> {
+            fn lower(&self, direction: [A::Real; 3]) -> A::Disc {
                 A::$lower($(self.$parameter,)? direction)
             }
 

@@ -1,7 +1,7 @@
 //! Concentric map (P. Shirley and K. Chiu, "A Low Distortion Map between Disk and Square", 1997).
 
 use super::{DiscMap, Map, disc_map};
-use crate::arithmetic::{Arithmetic, Disc};
+use crate::arithmetic::Arithmetic;
 use core::marker::PhantomData;
 
 /// Squares about the centre of the unit square to circles about the centre of the disc.

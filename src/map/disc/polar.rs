@@ -1,7 +1,7 @@
 //! Polar map: u is the angle, v the squared radius.
 
 use super::{DiscMap, Map, disc_map};
-use crate::arithmetic::{Arithmetic, Disc};
+use crate::arithmetic::Arithmetic;
 use core::marker::PhantomData;
 
 /// r = sqrt v, phi = 2 pi u: the textbook's map, which keeps area ratios but not neighbours.

@@ -87,7 +87,7 @@ impl<A: Arithmetic, I> Rejection<A, I> {
     /// The point of a candidate, if it is inside: (2u - 1, 2v - 1).
     #[inline]
     pub fn sample(uv: [u32; 2]) -> Option<[A::Real; 2]> {
-        Self::inside(uv).then(|| A::store(A::centred(uv)))
+        Self::inside(uv).then(|| A::centred(uv))
     }
 
     /// The density of the survivors: 1 / pi, and 0 outside the disc.

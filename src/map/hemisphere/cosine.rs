@@ -2,7 +2,7 @@
 //! projection of the disc).
 
 use super::{Lobe, lobe};
-use crate::arithmetic::{Arithmetic, Disc};
+use crate::arithmetic::Arithmetic;
 use core::marker::PhantomData;
 
 /// z = sqrt(1 - r^2): the point of the sphere above the point of the disc.

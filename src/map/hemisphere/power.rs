@@ -2,7 +2,7 @@
 //! (K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 7).
 
 use super::{Lobe, lobe};
-use crate::arithmetic::{Arithmetic, Disc};
+use crate::arithmetic::Arithmetic;
 use crate::error::Error;
 
 /// z = (1 - r^2)^(1 / (e + 1)): the tighter about the pole the larger e; e = 0 is uniform, 1 cosine.

@@ -1,7 +1,7 @@
 //! Uniform lobe: z = 1 - r^2, density 1 / (2 pi) per steradian (the equal-area projection).
 
 use super::{Lobe, lobe};
-use crate::arithmetic::{Arithmetic, Disc};
+use crate::arithmetic::Arithmetic;
 use core::marker::PhantomData;
 
 /// z = 1 - r^2: equal areas of the disc to equal solid angles.
