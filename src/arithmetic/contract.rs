@@ -1,1 +1,45 @@
-//! Accuracy contracts.
+//! Accuracy contracts: one bound for each arithmetic and map, in one table.
+//!
+//! Tests assert every bound from both sides: no error exceeds it, and it is less than twice the
+//! largest error found. Errors are against the exact map of the exact coordinate, with the exponent
+//! rounded to the type.
+
+/// Bounds on the errors of one map in one arithmetic, over both disc maps, in [`unit`](Self::unit)s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contract {
+    /// Name of the arithmetic.
+    pub arithmetic: &'static str,
+    /// Name of the map: `disc`, or a lobe.
+    pub map: &'static str,
+    /// What the bounds count: half an ulp of 1, 2^-24 for f32 and 2^-53 for f64.
+    pub unit: f64,
+    /// Largest error of a component of the point.
+    pub position: f64,
+    /// Largest deviation of the point's norm from 1 (from r, on the disc).
+    pub norm: f64,
+    /// Largest relative error of theta = atan2(hypot(x, y), z), for exponents in [0, 1e8].
+    pub theta: f64,
+    /// Largest relative error of z: the first, plus the second times |ln z|; for exponents >= 0.
+    pub z: [f64; 2],
+}
+
+const EPS32: f64 = 1.0 / (1_u64 << 24) as f64;
+const EPS64: f64 = 1.0 / (1_u64 << 53) as f64;
+
+/// The contracts of every arithmetic. A disc has no theta and no z.
+#[rustfmt::skip]
+pub const CONTRACTS: [Contract; 8] = [
+    Contract { arithmetic: "libm-f64", map: "disc",    unit: EPS64, position: 2.75, norm: 2.5, theta: 0.0, z: [0.0, 0.0] },
+    Contract { arithmetic: "libm-f64", map: "uniform", unit: EPS64, position: 3.0,  norm: 2.75, theta: 3.5, z: [1.0, 0.0] },
+    Contract { arithmetic: "libm-f64", map: "cosine",  unit: EPS64, position: 2.75, norm: 2.25, theta: 3.5, z: [1.5, 0.0] },
+    Contract { arithmetic: "libm-f64", map: "power",   unit: EPS64, position: 2.75, norm: 2.25, theta: 4.5, z: [2.0, 1.75] },
+    Contract { arithmetic: "libm-f32", map: "disc",    unit: EPS32, position: 2.75, norm: 2.25, theta: 0.0, z: [0.0, 0.0] },
+    Contract { arithmetic: "libm-f32", map: "uniform", unit: EPS32, position: 3.0,  norm: 2.5, theta: 3.5, z: [1.0, 0.0] },
+    Contract { arithmetic: "libm-f32", map: "cosine",  unit: EPS32, position: 2.75, norm: 2.25, theta: 3.25, z: [1.5, 0.0] },
+    Contract { arithmetic: "libm-f32", map: "power",   unit: EPS32, position: 2.75, norm: 2.25, theta: 4.5, z: [2.0, 1.75] },
+];
+
+/// The contract of a map in an arithmetic, by their names.
+pub fn contract(arithmetic: &str, map: &str) -> Option<Contract> {
+    CONTRACTS.into_iter().find(|row| row.arithmetic == arithmetic && row.map == map)
+}

@@ -15,6 +15,7 @@ use super::Map;
 use super::disc::{Concentric, DiscMap, Polar};
 use crate::arithmetic::Arithmetic;
 use crate::error::Error;
+use crate::frame::{About, Frame};
 use core::marker::PhantomData;
 
 /// What lifts a point of the disc to a direction.
@@ -67,6 +68,14 @@ impl<L, D> Hemisphere<L, D> {
     /// The lobe.
     pub const fn lobe(&self) -> &L {
         &self.lobe
+    }
+
+    /// The same directions in world space, about the third axis of a frame.
+    pub const fn about<R>(self, frame: Frame<R>) -> About<Self, R>
+    where
+        Self: Copy,
+    {
+        About::new(self, frame)
     }
 }
 

@@ -1,0 +1,221 @@
+//! The promises as functions: tests, fuzz targets and users share them.
+//!
+//! Each returns `Ok(())` or a [`Violation`] that names the promise and the inputs. They compute in
+//! exact arithmetic, allocate nothing, and are slow next to the maps they check.
+//!
+//! ```
+//! use hemidisc::{Cosine, LibmF32, invariant};
+//! invariant::hemisphere(&Cosine::<LibmF32>::new(), [0, u32::MAX])?;
+//! # Ok::<(), invariant::Violation>(())
+//! ```
+
+use crate::arithmetic::Arithmetic;
+use crate::map::{Component, Map};
+use crate::sequence::Sequence;
+use core::fmt;
+
+mod digest;
+mod exact;
+mod strata;
+
+pub use digest::Digest;
+pub use exact::{Exact, in_unit_disc};
+pub use strata::{cells, net, rooks};
+
+/// A broken promise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Violation {
+    /// A component or a density that is not a finite number.
+    NotFinite {
+        /// The coordinates of the sample.
+        uv: [u32; 2],
+    },
+    /// x^2 + y^2 > 1 in exact arithmetic.
+    OutsideDisc {
+        /// The coordinates of the sample.
+        uv: [u32; 2],
+    },
+    /// A direction that is not above the horizon.
+    BelowHorizon {
+        /// The coordinates of the sample.
+        uv: [u32; 2],
+    },
+    /// A density that is not positive at a sampled point.
+    NoDensity {
+        /// The coordinates of the sample.
+        uv: [u32; 2],
+    },
+    /// A mirrored coordinate whose point is not the mirrored point.
+    NotMirrored {
+        /// The coordinates of the sample.
+        uv: [u32; 2],
+    },
+    /// Coordinates that `invert` did not give back.
+    NotInverted {
+        /// The coordinates of the sample.
+        uv: [u32; 2],
+        /// What came back.
+        got: [u32; 2],
+    },
+    /// A cell, a row, a column or an elementary interval that does not hold exactly one point.
+    Stratum {
+        /// Columns and rows of the grid of strata.
+        grid: [u32; 2],
+        /// The index of the point that came second to a stratum, or left it.
+        index: u32,
+    },
+    /// More strata than the caller's memory can mark.
+    NoRoom {
+        /// Words of `u32` that are needed.
+        needed: usize,
+    },
+}
+
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NotFinite { uv } => write!(f, "the sample of {uv:#x?} is not finite"),
+            Self::OutsideDisc { uv } => write!(f, "the sample of {uv:#x?} is outside the disc"),
+            Self::BelowHorizon { uv } => write!(f, "the sample of {uv:#x?} has z <= 0"),
+            Self::NoDensity { uv } => write!(f, "the sample of {uv:#x?} has no density"),
+            Self::NotMirrored { uv } => write!(f, "the sample of {uv:#x?} is not mirrored"),
+            Self::NotInverted { uv, got } => write!(f, "{uv:#x?} came back as {got:#x?}"),
+            Self::Stratum { grid: [columns, rows], index } => {
+                write!(f, "point {index} shares a stratum of {columns} x {rows}")
+            }
+            Self::NoRoom { needed } => write!(f, "marking the strata takes {needed} words"),
+        }
+    }
+}
+
+impl core::error::Error for Violation {}
+
+/// A map onto the disc at one sample: finite, on the disc, with a density.
+///
+/// # Errors
+/// The promise that is broken.
+pub fn disc<A: Arithmetic, M: Map<Arithmetic = A, Point = [A::Real; 2]>>(
+    map: &M,
+    uv: [u32; 2],
+) -> Result<(), Violation>
+where
+    A::Real: Exact,
+{
+    let point = map.sample(uv);
+    on_disc(point, uv)?;
+    has_density(map, point, uv)
+}
+
+/// A map onto the hemisphere at one sample: finite, x^2 + y^2 <= 1, z > 0, with a density.
+///
+/// # Errors
+/// The promise that is broken.
+pub fn hemisphere<A: Arithmetic, M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
+    map: &M,
+    uv: [u32; 2],
+) -> Result<(), Violation>
+where
+    A::Real: Exact,
+{
+    let [x, y, z] = map.sample(uv);
+    on_disc([x, y], uv)?;
+    let height: f64 = z.exact();
+    if !height.is_finite() {
+        return Err(Violation::NotFinite { uv });
+    }
+    // NaN has gone; what is left compares.
+    if height <= 0.0 {
+        return Err(Violation::BelowHorizon { uv });
+    }
+    has_density(map, [x, y, z], uv)
+}
+
+/// The concentric map's mirror symmetry at one sample: u -> !u negates x alone, v -> !v y alone.
+///
+/// # Errors
+/// [`Violation::NotMirrored`].
+pub fn mirrored_concentric<R: Exact, const D: usize, M: Map<Point = [R; D]>>(
+    map: &M,
+    [u, v]: [u32; 2],
+) -> Result<(), Violation> {
+    let point = map.sample([u, v]);
+    mirrored(map.sample([!u, v]), point, &[0], [u, v])?;
+    mirrored(map.sample([u, !v]), point, &[1], [u, v])
+}
+
+/// The polar map's mirror symmetry at one sample: u -> !u negates y alone.
+///
+/// # Errors
+/// [`Violation::NotMirrored`].
+pub fn mirrored_polar<R: Exact, const D: usize, M: Map<Point = [R; D]>>(
+    map: &M,
+    [u, v]: [u32; 2],
+) -> Result<(), Violation> {
+    mirrored(map.sample([!u, v]), map.sample([u, v]), &[1], [u, v])
+}
+
+fn mirrored<R: Exact, const D: usize>(
+    image: [R; D],
+    point: [R; D],
+    negated: &[usize],
+    uv: [u32; 2],
+) -> Result<(), Violation> {
+    for axis in 0..D {
+        let expected = point[axis].exact();
+        let expected = if negated.contains(&axis) { -expected } else { expected };
+        if image[axis].exact().to_bits() != expected.to_bits() {
+            return Err(Violation::NotMirrored { uv });
+        }
+    }
+    Ok(())
+}
+
+/// That `invert` gives back the very coordinates: promised by `LibmF64` on the disc and for e in
+/// [0, 1e8].
+///
+/// # Errors
+/// [`Violation::NotInverted`].
+pub fn inverted<M: Map>(map: &M, uv: [u32; 2]) -> Result<(), Violation> {
+    let got = map.invert(map.sample(uv));
+    if got == uv { Ok(()) } else { Err(Violation::NotInverted { uv, got }) }
+}
+
+fn on_disc<R: Exact>(point: [R; 2], uv: [u32; 2]) -> Result<(), Violation> {
+    let [x, y] = point.map(Exact::exact);
+    if !(x.is_finite() && y.is_finite()) {
+        return Err(Violation::NotFinite { uv });
+    }
+    if in_unit_disc([x, y]) { Ok(()) } else { Err(Violation::OutsideDisc { uv }) }
+}
+
+fn has_density<M: Map>(map: &M, point: M::Point, uv: [u32; 2]) -> Result<(), Violation>
+where
+    Component<M>: Exact,
+{
+    let density = map.density(point).exact();
+    if !density.is_finite() {
+        return Err(Violation::NotFinite { uv });
+    }
+    if density > 0.0 { Ok(()) } else { Err(Violation::NoDensity { uv }) }
+}
+
+/// That random access, iteration and blocks of a sequence agree on the 64 points from a multiple
+/// of 64 on.
+///
+/// # Errors
+/// [`Violation::Stratum`] of a 1 x 1 grid, with the index that differs.
+pub fn consistent<S: Sequence>(sequence: &S, start: u32) -> Result<(), Violation> {
+    let start = start & !63;
+    let (mut u, mut v) = ([0; 64], [0; 64]);
+    sequence.block(start, &mut u, &mut v);
+    let block = u.into_iter().zip(v);
+    for (offset, (block, iterated)) in (0..).zip(block.zip(sequence.iter(start))) {
+        let index = start.wrapping_add(offset);
+        let point = sequence.point(index);
+        if point != iterated || point != [block.0, block.1] {
+            return Err(Violation::Stratum { grid: [1, 1], index });
+        }
+    }
+    Ok(())
+}
