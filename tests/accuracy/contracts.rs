@@ -1,0 +1,112 @@
+//! Contracts from both sides, over hard coordinates, random ones and short and long rings.
+//!
+//! The reference for f32 is the textbook's formula in f64, on the exact coordinate; for f64 it is
+//! the table of mpmath values. A bound that is twice the largest error found is stale and fails.
+
+use crate::errors::{
+    EachMap, Errors, Pair, Reference, each_map, each_power_map, exact, hard_coordinates,
+};
+use hemidisc::arithmetic::{Arithmetic, contract::CONTRACTS, contract::contract};
+use hemidisc::sequence::Random;
+use hemidisc::{LibmF32, Map, invariant::Exact};
+use std::collections::HashMap;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+
+/// Direction, r^2 and 1 - r^2 in f64, straight from the definition.
+fn disc(name: &str, [u, v]: [u32; 2]) -> ([f64; 2], f64, f64) {
+    let centre = |k: u32| (f64::from(k) + 0.5) / 4_294_967_296.0;
+    if name == "polar" {
+        let (sin, cos) = (TAU * centre(u)).sin_cos();
+        return ([cos, sin], centre(v), centre(!v));
+    }
+    let (a, b) = (2.0 * centre(u) - 1.0, 2.0 * centre(v) - 1.0);
+    let (r, phi) = if a.abs() >= b.abs() {
+        (a, FRAC_PI_4 * (b / a))
+    } else {
+        (b, FRAC_PI_2 - FRAC_PI_4 * (a / b))
+    };
+    let (sin, cos) = phi.sin_cos();
+    ([cos * r.signum(), sin * r.signum()], r * r, (1.0 - r.abs()) * (1.0 + r.abs()))
+}
+
+/// The exact point of a map, to about 4 units of 2^-53.
+fn reference(kind: &str, name: &str, e: f64, uv: [u32; 2]) -> Reference {
+    let ([cos, sin], r2, rim) = disc(name, uv);
+    let log = if r2 < 0.5 { (-r2).ln_1p() } else { rim.ln() };
+    let (s2, z) = match kind {
+        "disc" => (r2, None),
+        "uniform" => (r2 * (1.0 + rim), Some(rim)),
+        "cosine" => (r2, Some(rim.sqrt())),
+        _ => (-(2.0 * log / (e + 1.0)).exp_m1(), Some((log / (e + 1.0)).exp())),
+    };
+    let single = |hi| Pair { hi, lo: 0.0 };
+    let s = s2.sqrt();
+    Reference { x: single(s * cos), y: single(s * sin), s2: single(s2), z: z.map(single) }
+}
+
+/// Collects the errors of every map by its kind.
+struct Measure<'a> {
+    points: &'a [[u32; 2]],
+    exponent: f64,
+    found: HashMap<&'static str, Errors>,
+}
+
+impl<A: Arithmetic> EachMap<A> for Measure<'_>
+where
+    A::Real: Exact,
+{
+    fn each<const D: usize, M: Map<Arithmetic = A, Point = [A::Real; D]>>(
+        &mut self,
+        kind: &'static str,
+        disc: &'static str,
+        map: M,
+    ) {
+        let contract = contract(A::NAME, kind).unwrap();
+        let total = self.found.entry(kind).or_default();
+        for &uv in self.points {
+            let point = exact(map.sample(uv));
+            let errors = Errors::of(point, reference(kind, disc, self.exponent, uv), &contract);
+            let label = format!("{} {kind}/{disc} e = {} at {uv:08x?}", A::NAME, self.exponent);
+            errors.assert_within(&contract, true, true, &label);
+            total.include(errors);
+        }
+    }
+}
+
+fn points() -> Vec<[u32; 2]> {
+    let hard = hard_coordinates();
+    let sparse: Vec<u32> = hard.iter().step_by(3).copied().collect();
+    let mut points: Vec<_> =
+        sparse.iter().flat_map(|&u| sparse.iter().map(move |&v| [u, v])).collect();
+    let random = Random::new(2007);
+    points.extend((0..400_000).map(|i| random.at(i)));
+    // Near one axis, one edge or the centre, at every scale.
+    points.extend((400_000..600_000).map(|i| {
+        let [u, v] = random.at(i);
+        let small = u >> (1 + i % 30);
+        match i % 4 {
+            0 => [small, v],
+            1 => [!small, v],
+            2 => [0x8000_0000 ^ small, v],
+            _ => [v, 0x8000_0000 ^ small],
+        }
+    }));
+    points
+}
+
+#[test]
+fn f32_contracts_hold_and_are_not_stale() {
+    let points = points();
+    let mut measure = Measure { points: &points, exponent: 0.0, found: HashMap::new() };
+    each_map::<LibmF32>(&mut measure);
+    measure.points = &points[points.len() - 300_000..];
+    for exponent in [0.0_f32, 0.5, 1.0, 3.3, 10.0, 100.0, 1e4, 1e8] {
+        measure.exponent = exponent.into();
+        each_power_map::<LibmF32>(exponent, &mut measure);
+    }
+    for contract in CONTRACTS.iter().filter(|row| row.arithmetic == "libm-f32") {
+        let found = measure.found[contract.map];
+        println!("libm-f32 {}: {found:.3?}", contract.map);
+        found.assert_not_stale(contract, &format!("libm-f32 {}", contract.map));
+    }
+}

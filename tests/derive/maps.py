@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Reference values of every map for hard coordinates and exponents, by mpmath at 120 digits.
+
+Writes tests/vectors/maps.csv:   python3 tests/derive/maps.py > tests/vectors/maps.csv
+
+The formulas are the textbook's, on the exact centres (2k + 1) / 2^33, with no thought for rounding:
+    polar       r = sqrt v, phi = 2 pi u
+    concentric  a = 2u - 1, b = 2v - 1, r the larger in magnitude, phi = pi/4 b/a or pi/2 - pi/4 a/b
+    uniform     z = 1 - r^2;  cosine z = sqrt(1 - r^2);  power z = (1 - r^2)^(1 / (e + 1))
+Each real is written as two doubles, hi + lo, as the 16 hex digits of their bits. Exponents are given
+as the bits of an f32, so that f32 and f64 are tested with the same one. s2 is x^2 + y^2 of the point.
+"""
+
+import random
+import struct
+
+from mpmath import mp, mpf, cos, sin, pi, sqrt
+
+mp.dps = 120
+
+
+def bits(x):
+    return f"{struct.unpack('>Q', struct.pack('>d', x))[0]:016x}"
+
+
+def pair(x):
+    """hi + lo; below 1e-290, out of a double's normal range, lo is 0."""
+    hi = float(x)
+    lo = float(x - mpf(hi)) if abs(x) > mpf(10) ** -290 else 0.0
+    return f"{bits(hi)},{bits(lo)}"
+
+
+def f32(x):
+    return struct.unpack(">f", struct.pack(">f", x))[0]
+
+
+HALF = 1 << 31
+TOP = (1 << 32) - 1
+EDGES = [0, 1, 2, 255, 256, 1 << 16, 1 << 24, 1 << 29, 1 << 30, 3 << 29]
+EDGES += [HALF - 257, HALF - 2, HALF - 1, HALF, HALF + 1, HALF + 256]
+EDGES += [5 << 29, 3 << 30, 7 << 29, TOP - (1 << 24), TOP - 256, TOP - 2, TOP - 1, TOP]
+
+
+def coordinates():
+    """Corners, axes, diagonals, rings one cell apart, and random points."""
+    chosen = [(a, b) for a in (0, HALF - 1, HALF, TOP) for b in (0, HALF - 1, HALF, TOP)]
+    chosen += [(k, k) for k in EDGES] + [(k, TOP - k) for k in EDGES]
+    source = random.Random(2007)
+    chosen += [(source.choice(EDGES), source.getrandbits(32)) for _ in range(12)]
+    chosen += [(source.getrandbits(32), source.choice(EDGES)) for _ in range(12)]
+    chosen += [(source.getrandbits(32), source.getrandbits(32)) for _ in range(16)]
+    return list(dict.fromkeys(chosen))
+
+
+EXPONENTS = [-0.9, 0.0, 2.0**-149, 2.0**-24, 0.5, 1.0, 3.3, 10.0, 1e2, 1e3, 1e4, 1e8, 2.0**100, 3e38]
+
+
+def disc(name, u, v):
+    """Direction, r^2 and 1 - r^2."""
+    if name == "polar":
+        phi = 2 * pi * u
+        return cos(phi), sin(phi), v
+    a, b = 2 * u - 1, 2 * v - 1
+    if abs(a) >= abs(b):
+        r, phi = a, pi / 4 * (b / a)
+    else:
+        r, phi = b, pi / 2 - pi / 4 * (a / b)
+    sign = 1 if r > 0 else -1
+    return sign * cos(phi), sign * sin(phi), r * r
+
+
+def main():
+    print("map,disc,exponent,u,v,x_hi,x_lo,y_hi,y_lo,z_hi,z_lo,s2_hi,s2_lo,density")
+    for name in ("polar", "concentric"):
+        for ku, kv in coordinates():
+            u, v = (mpf(2 * k + 1) / 2**33 for k in (ku, kv))
+            c, s, r2 = disc(name, u, v)
+            rim = 1 - r2
+            rows = [("disc", "", r2, None, 1 / pi)]
+            rows.append(("uniform", "", 1 - rim * rim, rim, 1 / (2 * pi)))
+            rows.append(("cosine", "", r2, sqrt(rim), sqrt(rim) / pi))
+            for value in EXPONENTS:
+                e = mpf(f32(value))
+                z = rim ** (1 / (e + 1))
+                density = (e + 1) / (2 * pi) * rim ** (e / (e + 1))
+                text = f"{struct.unpack('>I', struct.pack('>f', f32(value)))[0]:08x}"
+                rows.append(("power", text, 1 - z * z, z, density))
+            for kind, exponent, s2, z, density in rows:
+                radius = sqrt(s2)
+                z = pair(z) if z is not None else ","
+                print(
+                    f"{kind},{name},{exponent},{ku:08x},{kv:08x},{pair(radius * c)},"
+                    f"{pair(radius * s)},{z},{pair(s2)},{bits(float(density))}"
+                )
+
+
+main()
