@@ -18,7 +18,7 @@ mod digest;
 mod exact;
 mod strata;
 
-pub use digest::Digest;
+pub use digest::{Digest, Digestible};
 pub use exact::{Exact, in_unit_disc};
 pub use strata::{cells, net, rooks};
 

@@ -1,0 +1,198 @@
+//! Points against a slice model: `next`, `next_back`, `nth`, `split_at`, `fill` and the rest, in any
+//! order, give what the same operations on a slice of all points give.
+#![cfg(feature = "libm")]
+
+use hemidisc::sequence::{
+    Correlated, Halton, Hammersley, Jittered, R2, Random, Sequence, Shuffled, Sobol, SobolOwen,
+    Stored,
+};
+use hemidisc::{
+    Concentric, Cosine, Domain, Error, LibmF32, LibmF64, Map, Points, Polar, UnitSquare,
+};
+use proptest::prelude::*;
+use std::fmt::Debug;
+
+#[derive(Clone, Copy, Debug)]
+enum Op {
+    Next,
+    NextBack,
+    Nth(usize),
+    NthBack(usize),
+    SplitKeep { at: u32, front: bool },
+    Fill(usize),
+    Get(u32),
+    Shard { shard: u32, of: u32 },
+    Range { start: u32, count: u32 },
+}
+
+fn op() -> impl Strategy<Value = Op> {
+    prop_oneof![
+        4 => Just(Op::Next),
+        4 => Just(Op::NextBack),
+        2 => (0..9_usize).prop_map(Op::Nth),
+        2 => (0..9_usize).prop_map(Op::NthBack),
+        1 => (0..700_u32, any::<bool>()).prop_map(|(at, front)| Op::SplitKeep { at, front }),
+        2 => (0..300_usize).prop_map(Op::Fill),
+        1 => (0..700_u32).prop_map(Op::Get),
+        1 => (0..4_u32, 0..5_u32).prop_map(|(shard, of)| Op::Shard { shard, of }),
+        1 => (0..64_u32, 0..600_u32).prop_map(|(start, count)| Op::Range { start, count }),
+    ]
+}
+
+/// Runs the operations on the iterator of a set and on that of a slice of its points.
+fn check<S: Sequence, M: Map<Point: PartialEq + Debug>>(
+    points: Points<S, M>,
+    all: &[M::Point],
+    ops: &[Op],
+) {
+    let (mut iter, mut model) = (points.iter(), all.iter());
+    for &op in ops {
+        let (left, slice) = (iter.as_points(), model.as_slice());
+        match op {
+            Op::Next => assert_eq!(iter.next(), model.next().copied()),
+            Op::NextBack => assert_eq!(iter.next_back(), model.next_back().copied()),
+            Op::Nth(n) => assert_eq!(iter.nth(n), model.nth(n).copied()),
+            Op::NthBack(n) => assert_eq!(iter.nth_back(n), model.nth_back(n).copied()),
+            Op::SplitKeep { at, front } => {
+                let (got, expected) = (left.split_at(at), slice.split_at_checked(at as usize));
+                assert_eq!(got.is_ok(), expected.is_some(), "split at {at} of {}", slice.len());
+                if let (Ok((a, b)), Some((c, d))) = (got, expected) {
+                    (iter, model) = if front { (a.iter(), c.iter()) } else { (b.iter(), d.iter()) };
+                }
+            }
+            Op::Fill(size) => {
+                let mut buffer = vec![M::Point::default(); size];
+                let filled = left.fill(&mut buffer);
+                assert_eq!(filled, size.min(slice.len()));
+                assert_eq!(buffer[..filled], slice[..filled]);
+                assert!(buffer[filled..].iter().all(|point| *point == M::Point::default()));
+            }
+            Op::Get(index) => {
+                let expected = slice.get(index as usize).copied();
+                assert_eq!(left.get(index), expected);
+                assert_eq!(left.coordinates(index).map(|uv| left.map().sample(uv)), expected);
+            }
+            Op::Shard { shard, of } => match left.shard(shard, of) {
+                Ok(part) => {
+                    let before = (0..shard).map(|k| left.shard(k, of).unwrap().len()).sum::<u32>();
+                    let expected = &slice[before as usize..][..part.len() as usize];
+                    assert!(part.iter().eq(expected.iter().copied()));
+                    let (low, even) = (left.len() / of, left.len() % of == 0);
+                    assert!(part.len() == low || !even && part.len() == low + 1);
+                }
+                Err(error) => assert_eq!((error, shard < of), (Error::Shard { shard, of }, false)),
+            },
+            Op::Range { start, count } => match left.range(start, count) {
+                Ok(part) => {
+                    let expected = &slice[start as usize..][..count as usize];
+                    assert!(part.into_iter().eq(expected.iter().copied()));
+                }
+                Err(_) => assert!((start + count) as usize > slice.len()),
+            },
+        }
+        assert_eq!(iter.size_hint(), model.size_hint());
+        assert_eq!((iter.len(), iter.as_points().is_empty()), (model.len(), model.len() == 0));
+    }
+    assert_eq!(iter.clone().count(), model.len());
+    assert_eq!(iter.clone().last(), model.as_slice().last().copied());
+    assert!(iter.clone().rev().eq(model.as_slice().iter().rev().copied()));
+    let folded = iter.clone().fold(Vec::new(), |mut list, point| {
+        list.push(point);
+        list
+    });
+    assert_eq!(folded, model.as_slice());
+    let mut chunks = iter.as_points().chunks::<5>();
+    let (exact, rest) = model.as_slice().as_chunks::<5>();
+    assert_eq!(chunks.len(), exact.len());
+    assert!(chunks.by_ref().eq(exact.iter().copied()));
+    assert!(chunks.remainder().iter().eq(rest.iter().copied()));
+    // Fused at both ends.
+    iter.nth(model.len());
+    assert_eq!((iter.next(), iter.next_back(), iter.len()), (None, None, 0));
+}
+
+/// The points of a sequence, from random access alone.
+fn slice<S: Sequence, M: Map>(sequence: S, map: M, start: u32, count: u32) -> Vec<M::Point> {
+    (0..count).map(|i| map.sample(sequence.point(start.wrapping_add(i)))).collect()
+}
+
+fn check_range<S: Sequence, M: Map<Point: PartialEq + Debug>>(
+    sequence: S,
+    map: M,
+    start: u32,
+    ops: &[Op],
+) {
+    let count = 500.min(sequence.size().map_or(u32::MAX - start, |size| size - start));
+    let points = Points::of_range(sequence, map, start, count).unwrap();
+    check(points, &slice(sequence, map, start, count), ops);
+}
+
+proptest! {
+    #[test]
+    fn points_are_a_slice(ops in prop::collection::vec(op(), 0..60), start in 0..1000_u32, end in any::<bool>()) {
+        // Near the last index as well as the first.
+        let start = if end { u32::MAX - start } else { start };
+        let (disc, cosine) = (Concentric::<LibmF32>::new(), Cosine::<LibmF64>::new());
+        check_range(Sobol::new(1), disc, start, &ops);
+        check_range(SobolOwen::new(1), UnitSquare::<LibmF32>::new(), start, &ops);
+        check_range(Random::new(1), cosine, start, &ops);
+        check_range(R2::new(1), Polar::<LibmF32>::new(), start, &ops);
+        check_range(Halton::new(), disc, start, &ops);
+        let start = start % 400;
+        check_range(Jittered::new(20, 25, 1).unwrap(), disc, start, &ops);
+        check_range(Hammersley::new(473).unwrap(), disc, start, &ops);
+        let stored: Vec<_> = (0..450).map(|i| Random::new(2).at(i)).collect();
+        check_range(Stored::new(&stored).unwrap(), disc, start, &ops);
+        let shuffled = Shuffled::new(Correlated::new(20, 25, 1).unwrap(), Domain::new(1));
+        check_range(shuffled, disc, start, &ops);
+    }
+}
+
+#[test]
+fn the_last_index_is_reached() {
+    let (sequence, map) = (Sobol::new(0), Concentric::<LibmF32>::new());
+    let last = Points::of_range(sequence, map, u32::MAX, 1).unwrap();
+    assert_eq!(last.iter().collect::<Vec<_>>(), [map.sample(sequence.at(u32::MAX))]);
+    let error = Points::of_range(sequence, map, u32::MAX, 2).unwrap_err();
+    assert_eq!(error, Error::Range { start: u32::MAX, count: 2, len: u32::MAX });
+    let set = Points::new(Hammersley::new(8).unwrap(), map);
+    assert_eq!(set.len(), 8);
+    assert!(set.range(8, 0).is_ok() && set.range(8, 1).is_err() && set.first(9).is_err());
+    assert!(Points::of_range(Hammersley::new(8).unwrap(), map, 4, 5).is_err());
+}
+
+#[test]
+fn arrays_are_checked() {
+    let set = Points::new(Hammersley::new(8).unwrap(), Concentric::<LibmF32>::new());
+    let all: [_; 8] = set.to_array().unwrap();
+    assert!(all.into_iter().eq(set.iter()));
+    assert_eq!(set.to_array::<9>(), Err(Error::TooShort { len: 8, wanted: 9 }));
+    assert_eq!(set.to_array::<0>(), Ok([]));
+}
+
+#[cfg(feature = "heapless")]
+#[test]
+fn heapless_vectors_do_not_panic() {
+    let set = Points::new(Hammersley::new(8).unwrap(), Concentric::<LibmF32>::new());
+    let mut vec: heapless::Vec<[f32; 2], 11> = heapless::Vec::new();
+    assert_eq!((set.extend_vec(&mut vec), set.extend_vec(&mut vec), vec.len()), (8, 3, 11));
+    assert_eq!(set.extend_vec(&mut vec), 0);
+    assert_eq!(set.to_vec::<7>(), Err(Error::Capacity { len: 8, capacity: 7 }));
+    let whole = set.to_vec::<8>().unwrap();
+    assert!(whole.iter().copied().eq(set.iter()));
+    let collected: heapless::Vec<[f32; 2], 5> = set.iter().take(5).collect();
+    assert_eq!(collected[..], whole[..5]);
+}
+
+#[cfg(feature = "rand")]
+#[test]
+fn maps_are_distributions() {
+    use rand::distr::Distribution;
+    use rand::{Rng, SeedableRng, rngs::SmallRng};
+    let (disc, lobe) = (Concentric::<LibmF32>::new(), Cosine::<LibmF32>::new());
+    let mut words = SmallRng::seed_from_u64(1);
+    let mut uv = || [words.next_u32(), words.next_u32()];
+    let mut rng = SmallRng::seed_from_u64(1);
+    assert_eq!(Distribution::sample(&disc, &mut rng), Map::sample(&disc, uv()));
+    assert_eq!(Distribution::sample(&lobe, &mut rng), Map::sample(&lobe, uv()));
+}
