@@ -32,7 +32,7 @@ pub const CONTRACTS: [Contract; 8] = [
     Contract { arithmetic: "libm-f64", map: "disc",    unit: EPS64, position: 2.25, norm: 2.0,  theta: 0.0,  z: [0.0, 0.0] },
     Contract { arithmetic: "libm-f64", map: "uniform", unit: EPS64, position: 2.75, norm: 2.5,  theta: 3.0,  z: [1.0, 0.0] },
     Contract { arithmetic: "libm-f64", map: "cosine",  unit: EPS64, position: 2.25, norm: 2.0,  theta: 2.75, z: [1.5, 0.0] },
-    Contract { arithmetic: "libm-f64", map: "power",   unit: EPS64, position: 2.5,  norm: 2.5,  theta: 4.0,  z: [3.0, 1.5] },
+    Contract { arithmetic: "libm-f64", map: "power",   unit: EPS64, position: 2.5,  norm: 2.5,  theta: 4.0,  z: [3.0, 1.75] },
     Contract { arithmetic: "libm-f32", map: "disc",    unit: EPS32, position: 2.75, norm: 2.25, theta: 0.0, z: [0.0, 0.0] },
     Contract { arithmetic: "libm-f32", map: "uniform", unit: EPS32, position: 3.0,  norm: 2.5, theta: 3.5, z: [1.0, 0.0] },
     Contract { arithmetic: "libm-f32", map: "cosine",  unit: EPS32, position: 2.75, norm: 2.25, theta: 3.25, z: [1.5, 0.0] },

@@ -463,7 +463,9 @@ impl<T: Float> Arithmetic for T {
         } else {
             0x7fff_ffff_u32.saturating_sub((disc.rim / (T::Real::ONE + disc.r)).cell(31))
         };
-        let minor = (disc.r * t).cell(31);
+        // On a diagonal rounding must not make the minor the larger one, which has the radius.
+        let major = major.min(0x7fff_ffff);
+        let minor = (T::Real::over_2_32(2 * major + 1) * t).cell(31).min(major);
         let (m_u, m_v) = if steep { (minor, major) } else { (major, minor) };
         [unfold(m_u, x), unfold(m_v, y)]
     }

@@ -1,0 +1,183 @@
+//! The promises over the whole domain of inputs: on the disc in exact arithmetic, z > 0, density
+//! positive and finite, mirror images equal bit for bit, inverses.
+//!
+//! The rings of the square next to its edge, whose points round to the rim of the disc, are walked
+//! in full: every minor coordinate that the type can tell apart.
+#![cfg(feature = "libm")]
+
+use hemidisc::arithmetic::Arithmetic;
+use hemidisc::catalogue::{MapVisitor, maps, power_maps};
+use hemidisc::invariant::{self, Exact, in_unit_disc};
+use hemidisc::{Concentric, Cosine, LibmF32, LibmF64, Map, Polar, Power, Uniform};
+use proptest::prelude::*;
+
+/// Any bit pattern; the hard ones, near an edge, the centre or a power of two, as often as not.
+fn coordinate() -> impl Strategy<Value = u32> {
+    prop_oneof![
+        any::<u32>(),
+        (any::<u32>(), 0..32_u32).prop_map(|(k, shift)| k >> shift),
+        (any::<u32>(), 0..32_u32).prop_map(|(k, shift)| !(k >> shift)),
+        (any::<u32>(), 0..32_u32).prop_map(|(k, shift)| (k >> shift) ^ 0x8000_0000),
+        (0..32_u32, -2..3_i32).prop_map(|(bit, off)| (1_u32 << bit).wrapping_add_signed(off)),
+    ]
+}
+
+/// Coordinates of the square; on a diagonal one time in eight.
+fn coordinates() -> impl Strategy<Value = [u32; 2]> {
+    (coordinate(), coordinate(), 0..16_u32).prop_map(|(u, v, kind)| match kind {
+        0 => [u, u],
+        1 => [u, !u],
+        _ => [u, v],
+    })
+}
+
+/// Any finite exponent above -1, in every binade.
+fn exponent() -> impl Strategy<Value = f32> {
+    prop_oneof![
+        any::<u32>()
+            .prop_map(f32::from_bits)
+            .prop_filter("accepted", |e| *e > -1.0 && e.is_finite()),
+        (-1.0_f32..0.0).prop_filter("above -1", |e| *e > -1.0),
+        prop::sample::select(vec![0.0, 1.0, f32::MAX, -1.0 + f32::EPSILON / 2.0, 1e8]),
+    ]
+}
+
+/// What must hold for each map at one sample.
+struct Promises {
+    uv: [u32; 2],
+    exponent: f64,
+}
+
+impl Promises {
+    fn mirrored<R: Exact, const D: usize, M: Map<Point = [R; D]>>(&self, disc: &str, map: &M) {
+        match disc {
+            "polar" => invariant::mirrored_polar(map, self.uv),
+            _ => invariant::mirrored_concentric(map, self.uv),
+        }
+        .unwrap();
+    }
+
+    /// libm f64 gives back the coordinates; every arithmetic comes back to the same place, within
+    /// `reach` units of the type, wherever the point is not a whole plateau.
+    fn inverted<R: Exact, const D: usize, M: Map<Point = [R; D]>>(&self, name: &str, map: &M) {
+        let label = format!("{name} e = {:e} at {:08x?}", self.exponent, self.uv);
+        if name == "libm-f64" && (0.0..=1e8).contains(&self.exponent) {
+            invariant::inverted(map, self.uv).unwrap_or_else(|v| panic!("{label}: {v}"));
+        }
+        let point = map.sample(self.uv).map(Exact::exact);
+        let again = map.sample(map.invert(map.sample(self.uv))).map(Exact::exact);
+        let eps = if name == "libm-f64" { f64::EPSILON / 2.0 } else { f32::EPSILON as f64 / 2.0 };
+        // At e < 0 a unit of z is many of r, and the last cells of z have left the type's range.
+        if self.exponent >= 0.0 {
+            let moved = point.iter().zip(again).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+            assert!(moved <= 12.0 * eps, "{label}: moved by {} eps", moved / eps);
+        }
+    }
+}
+
+impl<A: Arithmetic<Real: Exact>> MapVisitor<A> for Promises {
+    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
+        invariant::disc(&map, self.uv).unwrap();
+        self.mirrored(name, &map);
+        self.inverted(A::NAME, &map);
+    }
+
+    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
+        &mut self,
+        _: &'static str,
+        disc: &'static str,
+        map: M,
+    ) {
+        invariant::hemisphere(&map, self.uv).unwrap();
+        self.mirrored(disc, &map);
+        self.inverted(A::NAME, &map);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    #[test]
+    fn every_promise_holds_for_every_map(uv in coordinates(), exponent in exponent()) {
+        let mut promises = Promises { uv, exponent: 0.0 };
+        maps::<LibmF32>(&mut promises);
+        maps::<LibmF64>(&mut promises);
+        promises.exponent = exponent.into();
+        power_maps::<LibmF32>(exponent, &mut promises).unwrap();
+        power_maps::<LibmF64>(exponent.into(), &mut promises).unwrap();
+    }
+
+    #[test]
+    fn inverse_and_density_are_total(bits in any::<[u32; 3]>(), e in exponent()) {
+        let [x, y, z] = bits.map(f32::from_bits);
+        let wide = [x, y, z].map(f64::from);
+        // Whatever is asked of, an answer comes: no panic, no NaN in a density.
+        let lobe = Power::<LibmF32>::new(e).unwrap();
+        lobe.invert([x, y, z]);
+        Uniform::<LibmF32, _>::polar().invert([x, y, z]);
+        Concentric::<LibmF32>::new().invert([x, y]);
+        Polar::<LibmF64>::new().invert([wide[0], wide[1]]);
+        let cosine = Cosine::<LibmF64>::new();
+        cosine.invert(wide);
+        if z.is_finite() && x * x + y * y <= 1.0 && (0.0..=1.0).contains(&z) {
+            for density in [lobe.density([x, y, z]), Uniform::<LibmF32>::new().density([x, y, z])] {
+                prop_assert!(density >= 0.0 && density.is_finite(), "{}", density);
+            }
+        }
+        if z <= 0.0 {
+            prop_assert_eq!(lobe.density([x, y, z]), 0.0);
+            prop_assert_eq!(cosine.density(wide), 0.0);
+        }
+    }
+}
+
+/// Magnitudes about the centre as coordinates: 2m + 1 in units of 2^-32.
+fn outward(magnitude: u32) -> u32 {
+    0x8000_0000 + magnitude
+}
+
+/// Every m in 0..2^31 whose 2m + 1 is another f32 than that of the m before, and each `stride`-th.
+fn distinct_f32(stride: usize) -> impl Iterator<Item = u32> {
+    // Below 2^23 each m has its own; above, one in 2^(bit - 23).
+    let exact = 0..1_u32 << 23;
+    let rounded = (23..31).flat_map(|bit| (1 << bit..1 << (bit + 1)).step_by(1 << (bit - 23)));
+    exact.chain(rounded).step_by(stride)
+}
+
+/// Counts the points of a ring, on both sides of its diagonal, and asserts that none is outside.
+fn walk_ring(major: u32, stride: usize) -> u64 {
+    let (disc, uniform) = (Concentric::<LibmF32>::new(), Uniform::<LibmF32>::new());
+    let mut walked = 0;
+    for minor in distinct_f32(stride) {
+        for uv in [[outward(major), outward(minor)], [outward(minor), outward(major)]] {
+            let [x, y] = disc.sample(uv).map(f64::from);
+            assert!(in_unit_disc([x, y]), "{uv:08x?}");
+            let [x, y, z] = uniform.sample(uv).map(f64::from);
+            assert!(in_unit_disc([x, y]) && z > 0.0, "{uv:08x?}");
+            walked += 1;
+        }
+    }
+    walked
+}
+
+#[test]
+fn no_point_of_the_outer_rings_is_outside() {
+    // Magnitudes that round to 1, to the f32 below it and to the one below that.
+    let full = std::env::var_os("HEMIDISC_EXHAUSTIVE").is_some();
+    let stride = if full { 1 } else { 61 };
+    let rings = [0x7fff_ffff, 0x7fff_ff00, 0x7fff_fe80, 0x7fff_fe00];
+    let walked: u64 = rings.into_iter().map(|major| walk_ring(major, stride)).sum();
+    println!("{walked} points of the outer rings walked, 0 outside");
+    let total = distinct_f32(stride).count() as u64 * 2 * rings.len() as u64;
+    assert_eq!(walked, total);
+}
+
+#[test]
+fn the_seam_and_the_rim_of_polar_are_on_the_disc() {
+    for v in (0..40_000).map(|i| u32::MAX - i * 7) {
+        for u in [0, 1, v, v << 7, 1 << 30, (1 << 30) - 1, 1 << 31, 3 << 29, u32::MAX] {
+            invariant::disc(&Polar::<LibmF32>::new(), [u, v]).unwrap();
+            invariant::disc(&Polar::<LibmF64>::new(), [u, v]).unwrap();
+        }
+    }
+}
