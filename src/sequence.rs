@@ -52,6 +52,7 @@ pub use sobol_owen::SobolOwen;
 pub use stored::Stored;
 
 use crate::error::Error;
+use core::num::NonZeroU32;
 
 /// Points in a block: what [`Sequence::block`] makes and a block of a map consumes at a time.
 pub const BLOCK: usize = 64;
@@ -94,37 +95,50 @@ pub trait Sequence: Copy {
 /// An m x n grid that is neither empty nor larger than a `u32` counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Grid {
-    columns: u32,
-    rows: u32,
+    columns: NonZeroU32,
+    rows: NonZeroU32,
 }
 
 impl Grid {
     pub(crate) const fn new(columns: u32, rows: u32) -> Result<Self, Error> {
-        if columns == 0 || rows == 0 {
+        let (Some(m), Some(n)) = (NonZeroU32::new(columns), NonZeroU32::new(rows)) else {
             return Err(Error::EmptySet { columns, rows });
-        }
+        };
         if columns.checked_mul(rows).is_none() {
             return Err(Error::SetTooLarge { columns, rows });
         }
-        Ok(Self { columns, rows })
+        Ok(Self { columns: m, rows: n })
+    }
+
+    pub(crate) const fn columns(self) -> u32 {
+        self.columns.get()
+    }
+
+    pub(crate) const fn rows(self) -> u32 {
+        self.rows.get()
     }
 
     pub(crate) const fn size(self) -> u32 {
-        self.columns * self.rows
+        self.columns() * self.rows()
     }
 
-    /// Column and row of a point: row by row, repeating after the last.
+    /// Column and row of a point inside the set: row by row.
     #[inline(always)]
     pub(crate) const fn cell(self, index: u32) -> [u32; 2] {
-        let index = repeat(index, self.size());
-        [index % self.columns, index / self.columns]
+        [index % self.columns(), index / self.columns()]
     }
 }
 
-/// `index` modulo `size`, without a division for an index inside the set.
+/// `index` modulo `size`, without a division for an index inside the set. A set is never empty.
 #[inline(always)]
 const fn repeat(index: u32, size: u32) -> u32 {
-    if index < size { index } else { index % size }
+    if index < size {
+        return index;
+    }
+    match index.checked_rem(size) {
+        Some(index) => index,
+        None => 0,
+    }
 }
 
 /// The check that a set without a grid is not empty.

@@ -162,10 +162,12 @@ fn walk_ring(major: u32, stride: usize) -> u64 {
 
 #[test]
 fn no_point_of_the_outer_rings_is_outside() {
-    // Magnitudes that round to 1, to the f32 below it and to the one below that.
+    // Magnitudes that round to 1 and to each of the three f32 below it.
     let full = std::env::var_os("HEMIDISC_EXHAUSTIVE").is_some();
     let stride = if full { 1 } else { 61 };
-    let rings = [0x7fff_ffff, 0x7fff_ff00, 0x7fff_fe80, 0x7fff_fe00];
+    let rings = [0x7fff_ffff, 0x7fff_ff80, 0x7fff_ff00, 0x7fff_fe80];
+    let radii = rings.map(|m| ((2 * m + 1) as f32 / 4_294_967_296.0).to_bits());
+    assert_eq!(radii, [0, 1, 2, 3].map(|below| 1.0_f32.to_bits() - below));
     let walked: u64 = rings.into_iter().map(|major| walk_ring(major, stride)).sum();
     println!("{walked} points of the outer rings walked, 0 outside");
     let total = distinct_f32(stride).count() as u64 * 2 * rings.len() as u64;

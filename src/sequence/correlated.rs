@@ -60,7 +60,7 @@ impl Correlated {
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let size = self.grid.size();
-        let Grid { columns, rows } = self.grid;
+        let (columns, rows) = (self.grid.columns(), self.grid.rows());
         let index = permute(repeat(index, size), size, self.order);
         let [column, row] = self.grid.cell(index);
         let fine_column =

@@ -1,7 +1,7 @@
 //! Jittered points: one uniformly random point in every cell of an m x n grid
 //! (R. Cook, "Stochastic Sampling in Computer Graphics", 1986).
 
-use super::{Grid, Sequence};
+use super::{Grid, Sequence, repeat};
 use crate::bits::{hash::Pairs, strata::Strata};
 use crate::error::Error;
 
@@ -44,7 +44,7 @@ impl Jittered {
     /// The point of any index; the set repeats after m n points.
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
-        let index = super::repeat(index, self.grid.size());
+        let index = repeat(index, self.grid.size());
         let [column, row] = self.grid.cell(index);
         let [u, v] = self.jitter.at(index);
         [self.columns.jittered(column, u), self.rows.jittered(row, v)]

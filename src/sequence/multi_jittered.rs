@@ -57,7 +57,7 @@ impl MultiJittered {
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let index = repeat(index, self.grid.size());
-        let Grid { columns, rows } = self.grid;
+        let (columns, rows) = (self.grid.columns(), self.grid.rows());
         let [column, row] = self.grid.cell(index);
         let fine_column = column * rows + permute(row, rows, key(self.in_columns, column));
         let fine_row = row * columns + permute(column, columns, key(self.in_rows, row));

@@ -3,8 +3,9 @@
 //! Coordinate c of m is the cell floor((2c + 1) 2^31 / m) that holds (2c + 1) / 2m, which is never on
 //! the edge of a stratum. Point i is in column i mod m, row i / m.
 
-use super::{Grid, Sequence};
+use super::{Grid, Sequence, repeat};
 use crate::error::Error;
+use core::num::NonZeroU32;
 
 /// The centres of an m x n grid: column i mod m, row i / m.
 ///
@@ -37,14 +38,14 @@ impl Regular {
     /// The point of any index; the set repeats after m n points.
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
-        let [column, row] = self.grid.cell(index);
+        let [column, row] = self.grid.cell(repeat(index, self.grid.size()));
         [centre(column, self.grid.columns), centre(row, self.grid.rows)]
     }
 }
 
 /// floor((2c + 1) 2^31 / count): at most (2^33 - 1) 2^31, which 64 bits hold.
-const fn centre(stratum: u32, count: u32) -> u32 {
-    (((2 * stratum as u64 + 1) << 31) / count as u64) as u32
+const fn centre(stratum: u32, count: NonZeroU32) -> u32 {
+    (((2 * stratum as u64 + 1) << 31) / count.get() as u64) as u32
 }
 
 impl Sequence for Regular {

@@ -4,7 +4,7 @@
 //! point i of either into the same cell, and the pairs fill a small part of the product space. A
 //! shuffle of the order of one, with a key of its own, mends that.
 
-use super::{Sequence, sobol_owen::shuffle};
+use super::{Sequence, repeat, sobol_owen::shuffle};
 use crate::bits::permute::permute;
 use crate::domain::Domain;
 
@@ -41,7 +41,7 @@ impl<S: Sequence> Sequence for Shuffled<S> {
     #[inline(always)]
     fn point(&self, index: u32) -> [u32; 2] {
         self.sequence.point(match self.sequence.size() {
-            Some(size) => permute(super::repeat(index, size), size, self.order),
+            Some(size) => permute(repeat(index, size), size, self.order),
             None => shuffle(index, self.order),
         })
     }

@@ -1,6 +1,6 @@
 //! Points that the caller has stored: recorded, random, or a table in flash.
 
-use super::Sequence;
+use super::{Block, Sequence, repeat};
 use crate::error::Error;
 
 /// The caller's own points, in a slice of at least one.
@@ -37,8 +37,9 @@ impl<'a> Stored<'a> {
     /// The point of any index; the set repeats after its last point.
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
-        let index = super::repeat(index, self.points.len() as u32);
-        self.points[index as usize]
+        let index = repeat(index, self.points.len() as u32) as usize;
+        // Always so; the comparison spares the image a path to a panic.
+        if index < self.points.len() { self.points[index] } else { [0; 2] }
     }
 }
 
@@ -54,7 +55,7 @@ impl Sequence for Stored<'_> {
 
     #[inline(always)]
     fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let start = super::repeat(start, self.points.len() as u32) as usize;
+        let start = repeat(start, self.points.len() as u32) as usize;
         let (before, from) = self.points.split_at_checked(start).unwrap_or((&[], self.points));
         from.iter()
             .chain(core::iter::repeat_with(move || before.iter().chain(from)).flatten())
@@ -62,7 +63,7 @@ impl Sequence for Stored<'_> {
     }
 
     #[inline(always)]
-    fn block(&self, start: u32, u: &mut super::Block, v: &mut super::Block) {
+    fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         for ((u, v), point) in u.iter_mut().zip(v).zip(self.iter(start)) {
             [*u, *v] = point;
         }

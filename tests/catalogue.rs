@@ -1,0 +1,102 @@
+//! Every file of a family is in the family's list, so that no member escapes the tests.
+
+use hemidisc::catalogue::{
+    ARITHMETICS, ArithmeticVisitor, SEQUENCES, SequenceVisitor, arithmetics, grid, sequences,
+};
+use hemidisc::{Error, arithmetic::Arithmetic, sequence::Sequence};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// The names of the source files of a family.
+fn files(family: &str) -> BTreeSet<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(family);
+    let entries = std::fs::read_dir(folder).unwrap();
+    entries
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.is_file())
+        .map(|path| path.file_stem().unwrap().to_string_lossy().into_owned())
+        .collect()
+}
+
+struct Names(Vec<&'static str>);
+
+impl SequenceVisitor for Names {
+    fn visit<S: Sequence>(&mut self, name: &'static str, _: S) {
+        self.0.push(name);
+    }
+}
+
+impl ArithmeticVisitor for Names {
+    fn visit<A: Arithmetic>(&mut self) {
+        self.0.push(A::NAME);
+    }
+}
+
+#[test]
+fn every_sequence_is_listed() {
+    let mut names = Names(Vec::new());
+    sequences(64, 0, &mut names).unwrap();
+    assert_eq!(names.0, SEQUENCES);
+    // What takes points of the caller's has no place in a list of what makes them.
+    let adaptors = ["stored", "shuffled", "rng"];
+    let listed = names.0.iter().map(|name| match *name {
+        "nrooks" => "n_rooks".to_string(),
+        name => name.replace('-', "_"),
+    });
+    let expected: BTreeSet<_> = listed.chain(adaptors.map(String::from)).collect();
+    assert_eq!(files("sequence"), expected);
+}
+
+#[cfg(feature = "libm")]
+#[test]
+fn every_arithmetic_is_listed() {
+    let mut names = Names(Vec::new());
+    arithmetics(&mut names);
+    assert_eq!(names.0, ARITHMETICS);
+    let machinery = ["contract", "float"];
+    let listed = names.0.iter().map(|name| name.replace('-', "_"));
+    let expected: BTreeSet<_> = listed.chain(machinery.map(String::from)).collect();
+    assert_eq!(files("arithmetic"), expected);
+}
+
+#[cfg(feature = "libm")]
+#[test]
+fn every_map_is_listed() {
+    use hemidisc::catalogue::{MapVisitor, maps, power_maps};
+    use hemidisc::{LibmF32, Map};
+    #[derive(Default)]
+    struct Maps {
+        discs: BTreeSet<String>,
+        lobes: BTreeSet<(String, String)>,
+    }
+    impl MapVisitor<LibmF32> for Maps {
+        fn disc<M: Map>(&mut self, name: &'static str, _: M) {
+            self.discs.insert(name.into());
+        }
+        fn hemisphere<M: Map>(&mut self, name: &'static str, disc: &'static str, _: M) {
+            self.lobes.insert((name.into(), disc.into()));
+        }
+    }
+    let mut found = Maps::default();
+    maps::<LibmF32>(&mut found);
+    power_maps::<LibmF32>(1.0, &mut found).unwrap();
+    // Rejection is an adaptor of iterators, not a map.
+    let mut discs = files("map/disc");
+    assert!(discs.remove("rejection"));
+    assert_eq!(found.discs, discs);
+    let lobes = files("map/hemisphere");
+    let pairs = lobes.iter().flat_map(|lobe| discs.iter().map(|d| (lobe.clone(), d.clone())));
+    assert_eq!(found.lobes, pairs.collect());
+}
+
+#[test]
+fn grids_hold_their_points() {
+    for count in (1..=1000).chain([4_294_836_225, u32::MAX - 1, u32::MAX]) {
+        let [columns, rows] = grid(count);
+        let size = u64::from(columns) * u64::from(rows);
+        assert!((u64::from(count)..u64::from(count) + u64::from(columns)).contains(&size));
+        assert!(sequences(count, 0, &mut Names(Vec::new())).is_ok(), "{count}");
+    }
+    let empty = sequences(0, 0, &mut Names(Vec::new()));
+    assert_eq!(empty, Err(Error::EmptySet { columns: 0, rows: 0 }));
+}
