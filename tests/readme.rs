@@ -1,0 +1,47 @@
+//! The README's table of contracts is the one in the code.
+//!
+//! To write it anew: `HEMIDISC_BLESS=1 cargo test --all-features --test readme`.
+
+use hemidisc::arithmetic::contract::CONTRACTS;
+use std::fmt::Write;
+use std::path::Path;
+
+/// The bounds as Markdown.
+fn table() -> String {
+    let mut text = String::from(
+        "| arithmetic | map | position | norm | theta | z |\n| --- | --- | --- | --- | --- | --- |\n",
+    );
+    for row in CONTRACTS {
+        let unit = format!("2^{}", row.unit.log2());
+        let [first, slope] = row.z;
+        let z = match (first, slope) {
+            (0.0, _) => "-".to_string(),
+            (_, 0.0) => format!("{first}"),
+            _ => format!("{first} + {slope} abs(ln z)"),
+        };
+        let theta = if row.theta == 0.0 { "-".to_string() } else { format!("{}", row.theta) };
+        writeln!(
+            text,
+            "| `{}`, eps = {unit} | {} | {} | {} | {theta} | {z} |",
+            row.arithmetic, row.map, row.position, row.norm
+        )
+        .unwrap();
+    }
+    text
+}
+
+#[test]
+fn the_contracts_are_as_printed() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let readme = std::fs::read_to_string(&path).unwrap();
+    let (before, rest) = readme.split_once("<!-- contracts:").unwrap();
+    let (marker, rest) = rest.split_once("-->\n").unwrap();
+    let (printed, after) = rest.split_once("<!-- end -->").unwrap();
+    let expected = table();
+    if std::env::var_os("HEMIDISC_BLESS").is_some() {
+        let text = format!("{before}<!-- contracts:{marker}-->\n{expected}<!-- end -->{after}");
+        std::fs::write(&path, text).unwrap();
+    } else {
+        assert_eq!(printed, expected);
+    }
+}
