@@ -99,7 +99,8 @@ impl Split {
         {
             return Ok(start..end);
         }
-        Err(Error::Range { start: sample, count: self.ways, len: u32::MAX / self.ways })
+        let start = sample.saturating_mul(self.ways);
+        Err(Error::Range { start, count: self.ways, len: u32::MAX })
     }
 }
 
@@ -123,5 +124,47 @@ impl Stream {
     #[inline]
     pub const fn choose(self, index: u32, ways: u32) -> u32 {
         ((self.at(index) as u64 * ways as u64) >> 32) as u32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::{collections::HashSet, vec::Vec};
+
+    #[test]
+    fn keys_never_collide_among_siblings_and_rarely_elsewhere() {
+        let root = Domain::new(0);
+        let mut seen = HashSet::new();
+        for key in (0..20_000).chain([u32::MAX, 1 << 31]) {
+            assert!(seen.insert(root.child(key)), "child {key}");
+        }
+        for (x, y) in (0..200).flat_map(|x| (0..200).map(move |y| (x, y))) {
+            assert!(seen.insert(root.pixel(x, y)), "pixel {x} {y}");
+        }
+    }
+
+    #[test]
+    fn the_branches_of_all_samples_are_the_whole_stream() {
+        let split = Domain::new(3).split(5, 4);
+        assert_eq!(split.domain(), Domain::new(3).child(5));
+        let indices: Vec<u32> = (0..9).flat_map(|sample| split.branches(sample).unwrap()).collect();
+        assert!(indices.into_iter().eq(0..36));
+        assert_eq!(Domain::new(0).split(1, 0).branches(7), Ok(0..0));
+        let last = u32::MAX / 4;
+        assert_eq!(split.branches(last - 1), Ok(u32::MAX - 7..u32::MAX - 3));
+        let error = Error::Range { start: u32::MAX, count: 4, len: u32::MAX };
+        assert_eq!(split.branches(last + 1), Err(error));
+    }
+
+    #[test]
+    fn choices_are_even() {
+        let stream = Domain::new(1).stream();
+        let mut counts = [0; 5];
+        for index in 0..1000 {
+            counts[stream.choose(index, 5) as usize] += 1;
+        }
+        assert!(counts.iter().all(|count| (195..=205).contains(count)), "{counts:?}");
+        assert_eq!(stream.choose(9, 0), 0);
     }
 }
