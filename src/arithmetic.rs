@@ -10,7 +10,8 @@
 //! | `LibmF64` | `libm` | `f64` | the same in double precision |
 
 use crate::error::Error;
-use core::fmt::Debug;
+use core::fmt::{Debug, Display};
+use core::str::FromStr;
 
 pub mod contract;
 pub(crate) mod float;
@@ -47,7 +48,7 @@ pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static
     /// 1 - r^2 formed from the coordinates, without cancellation.
     type Disc: Copy + Debug;
     /// An exponent as the user gives it.
-    type Parameter: Copy + Debug + core::str::FromStr;
+    type Parameter: Copy + Debug + FromStr<Err: Display>;
     /// A checked exponent with what its kernels need prepared.
     type Exponent: Copy + Debug + PartialEq;
 

@@ -28,7 +28,7 @@ use crate::sequence::{
 /// Sees every sequence in turn.
 pub trait SequenceVisitor {
     /// Called once for each sequence.
-    fn visit<S: Sequence>(&mut self, name: &'static str, sequence: S);
+    fn visit<S: Sequence + 'static>(&mut self, name: &'static str, sequence: S);
 }
 
 /// Sees every one-to-one map of an arithmetic in turn.

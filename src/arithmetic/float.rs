@@ -25,8 +25,9 @@
 use super::Arithmetic;
 use crate::error::Error;
 use crate::square::{centre_f32, centre_f64};
-use core::fmt::Debug;
+use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::str::FromStr;
 
 /// f32 or f64: what the kernels need of a float besides arithmetic. Sealed.
 pub trait Real:
@@ -43,7 +44,7 @@ pub trait Real:
     + Mul<Output = Self>
     + Div<Output = Self>
     + Into<f64>
-    + core::str::FromStr
+    + FromStr<Err: Display>
     + sealed::Sealed
 {
     #[doc(hidden)]

@@ -23,7 +23,7 @@ use core::num::NonZeroU32;
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Rejection<A, I> {
+pub struct Rejection<A, I = ()> {
     candidates: I,
     limit: Option<NonZeroU32>,
     drawn: u64,
@@ -72,7 +72,7 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Rejection<A, I> {
     }
 }
 
-impl<A: Arithmetic, I> Rejection<A, I> {
+impl<A: Arithmetic> Rejection<A> {
     /// Whether a candidate is inside the disc, exactly.
     #[inline]
     pub const fn inside([u, v]: [u32; 2]) -> bool {
@@ -111,7 +111,7 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Iterator for Rejection<A, I> {
         loop {
             let candidate = self.candidates.next()?;
             self.drawn += 1;
-            if let Some(point) = Self::sample(candidate) {
+            if let Some(point) = Rejection::<A>::sample(candidate) {
                 self.kept += 1;
                 return Some(point);
             }

@@ -1,0 +1,265 @@
+//! The command line, which other programs rely on; and its errors, one line each.
+//!
+//! An error names the argument, what was wrong and what is accepted.
+
+use crate::Failure;
+use clap::builder::PossibleValuesParser;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{CommandFactory, Parser, ValueEnum};
+use hemidisc::arithmetic::Arithmetic;
+use hemidisc::catalogue::{ARITHMETICS, ArithmeticVisitor, SEQUENCES, arithmetics};
+use std::error::Error;
+use std::num::NonZeroU32;
+use std::str::FromStr;
+
+/// Prints points of a sequence through a map: a header, then one line a point
+#[derive(Parser)]
+#[command(name = "points", version)]
+pub(crate) struct Arguments {
+    /// Where the coordinates come from
+    #[arg(
+        long,
+        value_name = "NAME",
+        value_parser = PossibleValuesParser::new(SEQUENCES),
+        required_unless_present = "stdin"
+    )]
+    pub(crate) sequence: Option<String>,
+
+    /// Size of a set (rows I..N are printed), or number of rows of an endless sequence
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = NonZeroU32::from_str,
+        allow_negative_numbers = true,
+        required_unless_present = "stdin"
+    )]
+    count: Option<NonZeroU32>,
+
+    /// Index of the first row [default: 0]
+    #[arg(long, value_name = "I", value_parser = u32::from_str, allow_negative_numbers = true)]
+    start: Option<u32>,
+
+    /// Seed; regular, hammersley and halton ignore it; 0 is the textbook's sobol and r2 [default: 0]
+    #[arg(long, value_name = "S", value_parser = u32::from_str, allow_negative_numbers = true)]
+    seed: Option<u32>,
+
+    /// Where the coordinates go; the square prints them as they are
+    #[arg(long, value_enum)]
+    pub(crate) map: MapName,
+
+    /// Disc map below a hemisphere map [default: concentric]
+    #[arg(long, value_enum)]
+    disc: Option<DiscName>,
+
+    /// Exponent of hemisphere-power: a finite number above -1
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    exponent: Option<String>,
+
+    #[arg(
+        long,
+        value_name = "NAME",
+        default_value = "libm-f32",
+        help = format!("Number type and its functions; in this build: {}", available().join(", "))
+    )]
+    pub(crate) arithmetic: String,
+
+    /// Read the coordinates from standard input: lines `u,v` of 0x-prefixed hexadecimal u32
+    #[arg(long, conflicts_with = "sequence")]
+    pub(crate) stdin: bool,
+
+    /// Add a column: the density at the point
+    #[arg(long)]
+    pub(crate) density: bool,
+
+    /// Map each point back and print the coordinates found
+    #[arg(long)]
+    pub(crate) invert: bool,
+
+    /// Print the bits of numbers in hexadecimal
+    #[arg(long)]
+    pub(crate) raw: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MapName {
+    Square,
+    DiscRejection,
+    DiscPolar,
+    DiscConcentric,
+    HemisphereUniform,
+    HemisphereCosine,
+    HemispherePower,
+}
+
+impl MapName {
+    pub(crate) fn is_square(self) -> bool {
+        self == Self::Square
+    }
+
+    fn is_hemisphere(self) -> bool {
+        matches!(self, Self::HemisphereUniform | Self::HemisphereCosine | Self::HemispherePower)
+    }
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(crate) enum DiscName {
+    Polar,
+    Concentric,
+}
+
+/// Arithmetics that the command line has a name for, whether or not this build has them.
+const NAMED: [&str; 7] =
+    ["libm-f64", "libm-f32", "fast-f32", "micromath-f32", "q31", "q15", "q15-div"];
+
+const COUNT: &str = "an integer 1..=4294967295";
+const INDEX: &str = "an integer 0..=4294967295";
+const EXPONENT: &str = "a finite number above -1";
+
+impl Arguments {
+    /// At least 1; 1 with `--stdin`, where it has no meaning.
+    pub(crate) fn count(&self) -> u32 {
+        self.count.map_or(1, NonZeroU32::get)
+    }
+
+    pub(crate) fn start(&self) -> u32 {
+        self.start.unwrap_or(0)
+    }
+
+    pub(crate) fn seed(&self) -> u32 {
+        self.seed.unwrap_or(0)
+    }
+
+    pub(crate) fn disc(&self) -> DiscName {
+        self.disc.unwrap_or(DiscName::Concentric)
+    }
+
+    /// The exponent, checked even where the map does not use it.
+    pub(crate) fn exponent<A: Arithmetic>(&self) -> Result<Option<A::Parameter>, Failure> {
+        let Some(text) = self.exponent.as_deref() else { return Ok(None) };
+        let exponent = text.parse().map_err(|_| {
+            Failure::Usage(format!("--exponent: {text:?} is not a number; accepted: {EXPONENT}"))
+        })?;
+        A::exponent(exponent).map_err(|error| Failure::Usage(format!("--exponent: {error}")))?;
+        Ok(Some(exponent))
+    }
+
+    /// A line for each argument that is accepted without an effect.
+    pub(crate) fn notes(&self) -> Vec<String> {
+        let map = self.map.to_possible_value();
+        let map = map.as_ref().map_or("", |value| value.get_name());
+        let on_map = format!("--map {map}");
+        let power = self.map == MapName::HemispherePower;
+        let unused = [
+            ("--disc", self.disc.is_some() && !self.map.is_hemisphere(), on_map.as_str()),
+            ("--exponent", self.exponent.is_some() && !power, on_map.as_str()),
+            ("--count", self.count.is_some() && self.stdin, "--stdin"),
+            ("--start", self.start.is_some() && self.stdin, "--stdin"),
+            ("--seed", self.seed.is_some() && self.stdin, "--stdin"),
+        ];
+        let unused = unused.into_iter().filter(|(_, unused, _)| *unused);
+        unused.map(|(name, _, with)| format!("note: {name} has no effect with {with}")).collect()
+    }
+
+    /// Why no arithmetic has the name that was given.
+    pub(crate) fn unknown_arithmetic(&self) -> String {
+        let name = &self.arithmetic;
+        let wrong = if ARITHMETICS.contains(&name.as_str()) {
+            "needs a feature that this build does not have"
+        } else if NAMED.contains(&name.as_str()) {
+            "is not built yet"
+        } else {
+            "is not an arithmetic"
+        };
+        format!("--arithmetic: {name:?} {wrong}; accepted: {}", available().join(", "))
+    }
+}
+
+pub(crate) fn missing_exponent() -> String {
+    format!("--exponent: missing, hemisphere-power needs it; accepted: {EXPONENT}")
+}
+
+/// The names of the arithmetics in this build.
+fn available() -> Vec<&'static str> {
+    struct Names(Vec<&'static str>);
+    impl ArithmeticVisitor for Names {
+        fn visit<A: Arithmetic>(&mut self) {
+            self.0.push(A::NAME);
+        }
+    }
+    let mut names = Names(Vec::new());
+    arithmetics(&mut names);
+    names.0
+}
+
+/// An error of the parser, which would take several lines, on one.
+pub(crate) fn one_line(error: &clap::Error) -> String {
+    let arguments = context(error, ContextKind::InvalidArg);
+    let argument = arguments.first().map_or("", String::as_str);
+    let value = context(error, ContextKind::InvalidValue).concat();
+    match error.kind() {
+        ErrorKind::MissingRequiredArgument => {
+            let missing = arguments.iter();
+            let missing =
+                missing.map(|name| format!("{name}: missing; accepted: {}", accepted(name)));
+            missing.collect::<Vec<_>>().join("; ")
+        }
+        ErrorKind::InvalidValue if value.is_empty() => {
+            format!("{argument}: no value; accepted: {}", accepted(argument))
+        }
+        ErrorKind::InvalidValue => {
+            format!("{argument}: {value:?} is not known; accepted: {}", accepted(argument))
+        }
+        ErrorKind::ValueValidation => {
+            let wrong = error.source().map(ToString::to_string).unwrap_or_default();
+            format!("{argument}: {value:?}: {wrong}; accepted: {}", accepted(argument))
+        }
+        ErrorKind::TooManyValues => {
+            format!("{argument}: {value:?} given; accepted: {argument} without a value")
+        }
+        ErrorKind::ArgumentConflict => {
+            match context(error, ContextKind::PriorArg).first().map(String::as_str) {
+                Some(prior) if prior != argument => {
+                    format!("{argument}: given with {prior}; accepted: one of the two")
+                }
+                _ => format!("{argument}: given more than once; accepted: once"),
+            }
+        }
+        ErrorKind::UnknownArgument => {
+            let command = Arguments::command();
+            let known = command.get_arguments().filter_map(|known| known.get_long());
+            let known: Vec<_> = known.map(|long| format!("--{long}")).collect();
+            format!("{argument:?}: unknown argument; accepted: {}", known.join(", "))
+        }
+        _ => error.to_string().lines().next().unwrap_or_default().to_owned(),
+    }
+}
+
+/// What the parser says about an error: names of arguments without their placeholders, or values.
+fn context(error: &clap::Error, kind: ContextKind) -> Vec<String> {
+    let texts = match error.get(kind) {
+        Some(ContextValue::String(text)) => vec![text.clone()],
+        Some(ContextValue::Strings(texts)) => texts.clone(),
+        _ => Vec::new(),
+    };
+    let name = |text: String| text.split(" <").next().unwrap_or_default().to_owned();
+    match kind {
+        ContextKind::InvalidValue => texts,
+        _ => texts.into_iter().map(name).collect(),
+    }
+}
+
+/// What an argument accepts.
+fn accepted(argument: &str) -> String {
+    let command = Arguments::command();
+    let long = argument.trim_start_matches('-');
+    let known = command.get_arguments().find(|known| known.get_long() == Some(long));
+    let values = known.map(|known| known.get_possible_values()).unwrap_or_default();
+    let values: Vec<_> = values.iter().map(|value| value.get_name()).collect();
+    match long {
+        "count" => COUNT.to_owned(),
+        "start" | "seed" => INDEX.to_owned(),
+        "exponent" => EXPONENT.to_owned(),
+        "arithmetic" => available().join(", "),
+        _ => values.join(", "),
+    }
+}

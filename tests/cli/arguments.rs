@@ -1,0 +1,150 @@
+//! Errors, notes and help: one line, the right stream, the right status.
+
+use super::{Run, leave_after, points, run};
+
+/// Asserts an error that names the argument and says what is accepted.
+#[track_caller]
+fn refused(run: &Run, argument: &str, accepted: &str) {
+    assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{argument}: {run:?}");
+    let one_line = run.stderr.ends_with('\n') && run.stderr.lines().count() == 1;
+    assert!(one_line, "not one line: {}", run.stderr);
+    let names = run.stderr.starts_with(&format!("error: {argument}: "));
+    assert!(names, "{argument} is not named: {}", run.stderr);
+    let accepts = run.stderr.contains(&format!("; accepted: {accepted}"));
+    assert!(accepts, "does not say that {accepted} is accepted: {}", run.stderr);
+}
+
+const MAPS: &str = "square, disc-rejection, disc-polar, disc-concentric, hemisphere-uniform, \
+                    hemisphere-cosine, hemisphere-power\n";
+const SEQUENCES: &str = "regular, random, jittered, nrooks, multi-jittered, correlated, \
+                         hammersley, halton, sobol, sobol-owen, r2";
+const COUNT: &str = "an integer 1..=4294967295";
+const INDEX: &str = "an integer 0..=4294967295";
+const ARITHMETICS: &str = "libm-f64, libm-f32";
+const EXPONENT: &str = "a finite number above -1\n";
+const ALL: &str = "--sequence, --count, --start, --seed, --map, --disc, --exponent, --arithmetic, \
+                   --stdin, --density, --invert, --raw";
+
+#[test]
+fn bad_arguments_are_refused_on_one_line() {
+    let cases = [
+        ("--count 4 --map square", "--sequence", SEQUENCES),
+        ("--sequence r2 --map square", "--count", COUNT),
+        ("--sequence r2 --count 4", "--map", MAPS),
+        ("--stdin", "--map", MAPS),
+        ("--sequence best --count 4 --map square", "--sequence", SEQUENCES),
+        ("--sequence R2 --count 4 --map square", "--sequence", SEQUENCES),
+        ("--sequence r2 --count 0 --map square", "--count", COUNT),
+        ("--sequence r2 --count -1 --map square", "--count", COUNT),
+        ("--sequence r2 --count 4.0 --map square", "--count", COUNT),
+        ("--sequence r2 --count 4294967296 --map square", "--count", COUNT),
+        ("--sequence r2 --count four --map square", "--count", COUNT),
+        ("--sequence r2 --map square --count", "--count", COUNT),
+        ("--sequence r2 --count 4 --count 4 --map square", "--count", "once"),
+        ("--sequence r2 --count 4 --start -1 --map square", "--start", INDEX),
+        ("--sequence r2 --count 4 --start 4294967296 --map square", "--start", INDEX),
+        ("--sequence r2 --count 4 --seed 4294967296 --map square", "--seed", INDEX),
+        (
+            "--sequence r2 --count 4 --start 4294967293 --map square",
+            "--start",
+            "an integer 0..=4294967292\n",
+        ),
+        ("--sequence hammersley --count 4 --start 5 --map square", "--start", "an integer 0..=4\n"),
+        ("--sequence r2 --count 4 --map", "--map", MAPS),
+        ("--sequence r2 --count 4 --map disc", "--map", MAPS),
+        ("--sequence r2 --count 4 --map square --disc round", "--disc", "polar, concentric\n"),
+        ("--sequence r2 --count 4 --map square --arithmetic f16", "--arithmetic", ARITHMETICS),
+        ("--sequence r2 --count 4 --map square --arithmetic", "--arithmetic", ARITHMETICS),
+        ("--sequence r2 --count 4 --map hemisphere-power", "--exponent", EXPONENT),
+        ("--sequence r2 --stdin --map square", "--sequence", "one of the two"),
+        ("--sequence r2 --count 4 --map square --raw=yes", "--raw", "--raw without a value"),
+        ("--sequence r2 --count 4 --map square --colour red", "\"--colour\"", ALL),
+        ("--sequence r2 --count 4 --map square -x", "\"-x\"", ALL),
+        ("--sequence r2 --count 4 --map square more", "\"more\"", ALL),
+        ("--sequence r2 --count 4 --map square -- --raw", "\"--raw\"", ALL),
+    ];
+    for (arguments, argument, accepted) in cases {
+        refused(&points(arguments), argument, accepted);
+    }
+    // Where the map does not use the exponent, it is still checked.
+    for map in ["hemisphere-power", "square --disc polar"] {
+        for exponent in ["", "ten", "--raw", "-1", "-1.5", "nan", "inf", "-inf", "1e39"] {
+            let arguments = format!("--sequence r2 --count 4 --map {map} --exponent {exponent}");
+            refused(&points(&arguments), "--exponent", EXPONENT);
+        }
+    }
+    // A line break in an argument is not one in the error.
+    for break_at in ["squ\nare", "\n", "square\r\n\n"] {
+        refused(&run(&["--stdin", "--map", break_at], b""), "--map", MAPS);
+    }
+    let several = points("");
+    refused(&several, "--map", MAPS.trim_end());
+    assert!(several.stderr.contains("--sequence: ") && several.stderr.contains("--count: "));
+}
+
+#[test]
+fn an_error_is_the_only_line() {
+    let with_a_note = "--sequence halton --count 4 --start 9 --map square --disc polar";
+    assert!(points(with_a_note).stderr.starts_with("note: --disc "));
+    let with_a_note = with_a_note.replace("halton", "hammersley");
+    refused(&points(&with_a_note), "--start", "an integer 0..=4");
+}
+
+#[test]
+fn known_arithmetics_are_refused_until_the_crate_has_them() {
+    for name in ["libm-f64", "libm-f32", "fast-f32", "micromath-f32", "q31", "q15", "q15-div"] {
+        let run = points(&format!("--sequence r2 --count 4 --map square --arithmetic {name}"));
+        if super::maps::names().contains(&name) {
+            run.quiet();
+        } else {
+            refused(&run, "--arithmetic", ARITHMETICS);
+            let why = ["is not built yet", "needs a feature"].map(|why| run.stderr.contains(why));
+            assert!(why[0] || why[1], "{}", run.stderr);
+        }
+    }
+}
+
+#[test]
+fn arguments_without_an_effect_are_noted() {
+    let cases = [
+        ("--sequence r2 --count 4 --map disc-polar", "--disc polar", "--disc"),
+        ("--sequence r2 --count 4 --map square", "--exponent -0.5", "--exponent"),
+        ("--sequence r2 --count 4 --map hemisphere-cosine", "--exponent 10.0", "--exponent"),
+        ("--stdin --map square", "--count 4", "--count"),
+        ("--stdin --map square", "--start 4", "--start"),
+        ("--stdin --map square", "--seed 4", "--seed"),
+    ];
+    for (arguments, unused, name) in cases {
+        let plain = points(arguments).quiet();
+        let noted = points(&format!("{arguments} {unused}"));
+        assert_eq!((noted.status, noted.table()), (0, plain), "{arguments} {unused}");
+        let one_line = noted.stderr.lines().count() == 1;
+        assert!(one_line && noted.stderr.starts_with(&format!("note: {name} ")), "{noted:?}");
+    }
+    for used in ["hemisphere-power --exponent -0.5 --disc polar", "hemisphere-cosine --disc polar"]
+    {
+        points(&format!("--sequence r2 --count 4 --map {used}")).quiet();
+    }
+}
+
+#[test]
+fn help_and_version_go_to_standard_output() {
+    let help = points("--help");
+    assert_eq!((help.status, help.stderr.as_str()), (0, ""));
+    for option in ALL.split(", ") {
+        assert!(help.stdout.contains(option), "{option}");
+    }
+    let version = points("--version");
+    assert_eq!((version.status, version.stderr.as_str()), (0, ""));
+    assert_eq!(version.stdout, format!("points {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+/// Rows come as they are made: collecting 2^32 - 1 of them would take minutes and 32 GiB.
+#[test]
+fn a_reader_may_leave_at_any_time() {
+    for map in ["square", "disc-rejection"] {
+        let arguments = format!("--sequence sobol-owen --count {} --map {map}", u32::MAX);
+        let (status, lines, stderr) = leave_after(10_000, &arguments);
+        assert_eq!((status, lines.len(), stderr.as_str()), (0, 10_000, ""), "{map}");
+    }
+}

@@ -1,0 +1,229 @@
+//! What is printed of each point: the crate's own bits, exact decimals, inverses, rejection.
+
+use super::{hard_pairs, hex, hexes, pair, points, points_of, same, square};
+use hemidisc::arithmetic::Arithmetic;
+use hemidisc::catalogue::{
+    ArithmeticVisitor, MapVisitor, SEQUENCES, arithmetics, maps, power_maps,
+};
+use hemidisc::{LibmF32, LibmF64, Map};
+
+/// The maps of the command line with what they need; those that keep every point.
+const MAPS: [&str; 10] = [
+    "disc-polar",
+    "disc-concentric",
+    "hemisphere-uniform --disc polar",
+    "hemisphere-uniform --disc concentric",
+    "hemisphere-cosine --disc polar",
+    "hemisphere-cosine --disc concentric",
+    "hemisphere-power --exponent 0",
+    "hemisphere-power --exponent 1 --disc polar",
+    "hemisphere-power --exponent 50",
+    "hemisphere-power --exponent 1e8",
+];
+
+/// The arithmetics of this build.
+pub(super) fn names() -> Vec<&'static str> {
+    struct Names(Vec<&'static str>);
+    impl ArithmeticVisitor for Names {
+        fn visit<A: Arithmetic>(&mut self) {
+            self.0.push(A::NAME);
+        }
+    }
+    let mut names = Names(Vec::new());
+    arithmetics(&mut names);
+    names.0
+}
+
+/// A number as `--raw` prints it.
+trait Raw {
+    fn raw(&self) -> String;
+}
+
+impl Raw for f32 {
+    fn raw(&self) -> String {
+        format!("0x{:08x}", self.to_bits())
+    }
+}
+
+impl Raw for f64 {
+    fn raw(&self) -> String {
+        format!("0x{:016x}", self.to_bits())
+    }
+}
+
+/// Compares every map of the catalogue with the rows that the program prints.
+struct SameBits {
+    pairs: Vec<[u32; 2]>,
+    power: &'static str,
+    maps: usize,
+}
+
+impl SameBits {
+    fn check<M: Map<Arithmetic: Arithmetic<Real: Raw>>>(&mut self, name: &str, map: M)
+    where
+        M::Point: AsRef<[<M::Arithmetic as Arithmetic>::Real]>,
+    {
+        let arguments = format!("--map {name} --arithmetic {}", M::Arithmetic::NAME);
+        let rows = self.pairs.iter().map(|uv| {
+            let point = map.sample(*uv);
+            let components: Vec<_> = point.as_ref().iter().map(Raw::raw).collect();
+            [components.join(","), map.density(point).raw(), hex(&map.invert(point))]
+        });
+        let rows: Vec<_> = rows.collect();
+        let three = size_of::<M::Point>() == 3 * size_of_val(&map.density(M::Point::default()));
+        let columns = if three { "x,y,z" } else { "x,y" };
+        let compare = |more: &str, header: &str, row: &dyn Fn(&[String; 3]) -> String| {
+            let arguments = format!("{arguments} --raw {more}");
+            let (printed, actual) = points_of(&self.pairs, &arguments).quiet();
+            assert_eq!(printed, header, "{arguments}");
+            same(&actual, rows.iter().map(row), &arguments);
+        };
+        compare("", columns, &|[point, ..]| point.clone());
+        compare("--density", &format!("{columns},density"), &|[point, density, _]| {
+            format!("{point},{density}")
+        });
+        compare("--invert", "u,v", &|[.., inverse]| inverse.clone());
+        compare("--invert --density", "u,v,density", &|[_, density, inverse]| {
+            format!("{inverse},{density}")
+        });
+        self.maps += 1;
+    }
+}
+
+impl<A: Arithmetic<Real: Raw>> MapVisitor<A> for SameBits {
+    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
+        self.check(&format!("disc-{name}"), map);
+    }
+
+    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
+        &mut self,
+        name: &'static str,
+        disc: &'static str,
+        map: M,
+    ) {
+        let power = if name == "power" { self.power } else { "" };
+        self.check(&format!("hemisphere-{name} --disc {disc}{power}"), map);
+        if disc == "concentric" {
+            // The default.
+            self.check(&format!("hemisphere-{name}{power}"), map);
+        }
+    }
+}
+
+fn same_bits<A: Arithmetic<Real: Raw>>() {
+    let mut check = SameBits { pairs: hard_pairs(), power: " --exponent 2.5", maps: 0 };
+    maps::<A>(&mut check);
+    let exponent = "2.5".parse().unwrap_or_else(|_| panic!("an exponent"));
+    power_maps::<A>(exponent, &mut check).expect("above -1");
+    assert_eq!(check.maps, 11);
+}
+
+#[test]
+fn every_map_prints_the_bits_of_the_crate() {
+    same_bits::<LibmF32>();
+    same_bits::<LibmF64>();
+}
+
+#[test]
+fn the_default_arithmetic_is_libm_f32() {
+    let arguments = "--sequence sobol --count 8 --map disc-polar";
+    let named = points(&format!("{arguments} --arithmetic libm-f32")).quiet();
+    assert_eq!(points(arguments).quiet(), named);
+}
+
+/// Whether a decimal is the shortest that reads back as exactly the raw number.
+fn exact(decimal: &str, raw: &str) -> bool {
+    let bits =
+        |digits: usize| u64::from_str_radix(&raw[2..], 16).ok().filter(|_| raw.len() == 2 + digits);
+    if let Some(bits) = bits(8) {
+        let value: f32 = decimal.parse().expect("a decimal");
+        u64::from(value.to_bits()) == bits && format!("{value:?}") == decimal
+    } else if let Some(bits) = bits(16) {
+        let value: f64 = decimal.parse().expect("a decimal");
+        value.to_bits() == bits && format!("{value:?}") == decimal
+    } else {
+        panic!("{raw}: neither f32 nor f64")
+    }
+}
+
+#[test]
+fn decimals_read_back_exactly() {
+    for (arithmetic, map) in names().into_iter().flat_map(|name| MAPS.map(|map| (name, map))) {
+        let arguments = format!("--arithmetic {arithmetic} --map {map} --density");
+        let (header, decimals) = points_of(&hard_pairs(), &arguments).quiet();
+        let (same_header, raws) = points_of(&hard_pairs(), &format!("{arguments} --raw")).quiet();
+        assert_eq!(header, same_header);
+        assert_eq!(decimals.len(), hard_pairs().len());
+        for (decimals, raws) in decimals.iter().zip(&raws) {
+            assert_eq!(decimals.split(',').count(), header.split(',').count());
+            assert_eq!(raws.split(',').count(), header.split(',').count());
+            for (decimal, raw) in decimals.split(',').zip(raws.split(',')) {
+                assert!(exact(decimal, raw), "{arguments}: {decimal} is not {raw}");
+            }
+        }
+    }
+}
+
+#[test]
+fn libm_f64_gives_every_coordinate_back() {
+    let gives_back = |map: &str| {
+        let arguments = format!("--map {map} --arithmetic libm-f64 --invert");
+        let (_, rows) = points_of(&hard_pairs(), &arguments).quiet();
+        same(&rows, hexes(hard_pairs()), &arguments);
+    };
+    ["square", "disc-polar", "disc-concentric"].into_iter().for_each(gives_back);
+    let exponents = ["0", "1", "50", "1e8"].map(|e| format!("power --exponent {e}"));
+    for lobe in exponents.iter().map(String::as_str).chain(["uniform", "cosine"]) {
+        gives_back(&format!("hemisphere-{lobe} --disc polar"));
+        gives_back(&format!("hemisphere-{lobe} --disc concentric"));
+    }
+}
+
+#[test]
+fn the_square_is_not_rounded() {
+    for arithmetic in names() {
+        for raw in ["", " --raw"] {
+            let arguments = format!("--map square --arithmetic {arithmetic}{raw}");
+            let (header, rows) = points_of(&hard_pairs(), &arguments).quiet();
+            assert_eq!(header, "u,v");
+            same(&rows, hexes(hard_pairs()), &arguments);
+        }
+    }
+    let (header, rows) = points("--sequence r2 --count 1 --map square --density").quiet();
+    assert_eq!((header.as_str(), rows[0].as_str()), ("u,v,density", "0xc13fa9a9,0x91e10da5,1.0"));
+}
+
+/// Whether the centre of a cell of [-1, 1]^2 is in the disc: (2k + 1 - 2^32)^2 sum up to 2^64.
+fn inside(row: &str) -> bool {
+    let square = |k: u32| (2 * i128::from(k) + 1 - (1 << 32)).pow(2);
+    let [u, v] = pair(row).map(square);
+    u + v <= 1 << 64
+}
+
+#[test]
+fn rejection_keeps_and_counts_what_is_inside() {
+    for sequence in SEQUENCES {
+        let arguments = format!("--sequence {sequence} --count 1024 --seed 3");
+        let mut inside_rows = square(&arguments);
+        inside_rows.retain(|row| inside(row));
+        let kept = inside_rows.len();
+        assert!((760..850).contains(&kept), "{sequence}: {kept}");
+        let rejection = format!("{arguments} --map disc-rejection --arithmetic libm-f64");
+        let run = points(&rejection);
+        assert_eq!(run.status, 0);
+        assert_eq!(run.stderr, format!("drawn 1024, kept {kept}\n"), "{sequence}");
+        let (header, rows) = run.table();
+        assert_eq!((header.as_str(), rows.len()), ("x,y", kept));
+        let centres = inside_rows.iter().map(|row| {
+            let [x, y] = pair(row).map(|k| (2.0 * f64::from(k) + 1.0) / 4_294_967_296.0 - 1.0);
+            format!("{x:?},{y:?}")
+        });
+        same(&rows, centres, &rejection);
+        let (header, rows) = points(&format!("{rejection} --invert --density")).table();
+        assert_eq!(header, "u,v,density");
+        let density = std::f64::consts::FRAC_1_PI;
+        same(&rows, inside_rows.iter().map(|row| format!("{row},{density:?}")), &rejection);
+    }
+    let run = points_of(&[[0, 0], [0, 1 << 31]], "--map disc-rejection");
+    assert_eq!((run.status, run.stderr.as_str()), (0, "drawn 2, kept 1\n"));
+}
