@@ -1,0 +1,122 @@
+//! Curves as chains of points: thinned, and cut by the unit disc.
+
+use std::f64::consts::TAU;
+
+/// A curve with no more points than keep it within `tolerance` of where it was.
+pub(crate) fn thin(curve: &[[f64; 2]], tolerance: f64) -> Vec<[f64; 2]> {
+    let mut kept: Vec<[f64; 2]> = curve.first().copied().into_iter().collect();
+    let mut from = 0;
+    for to in 2..curve.len() {
+        let (Some(start), Some(end), Some(between)) =
+            (curve.get(from), curve.get(to), curve.get(from + 1..to))
+        else {
+            continue;
+        };
+        if between.iter().any(|point| off(*point, *start, *end) > tolerance) {
+            from = to - 1;
+            kept.extend(curve.get(from));
+        }
+    }
+    kept.extend(curve.last().filter(|_| curve.len() > 1));
+    kept
+}
+
+/// Distance of a point from the line through two others; from the first, if they are one.
+fn off([x, y]: [f64; 2], [ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
+    let (dx, dy) = (bx - ax, by - ay);
+    let length = dx.hypot(dy);
+    if length < 1e-9 {
+        (x - ax).hypot(y - ay)
+    } else {
+        ((x - ax) * dy - (y - ay) * dx).abs() / length
+    }
+}
+
+/// The part of the straight line between two points that is inside the unit disc.
+pub(crate) fn chord([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    let (dx, dy) = (bx - ax, by - ay);
+    // |a + t d|^2 = 1 at t = middle +- half.
+    let squared = dx * dx + dy * dy;
+    let middle = -(ax * dx + ay * dy) / squared;
+    let half_squared = middle * middle - (ax * ax + ay * ay - 1.0) / squared;
+    // A tangent touches at a point, which is nothing to draw; two equal ends give 0/0.
+    if half_squared.is_nan() || half_squared <= 0.0 {
+        return None;
+    }
+    let half = half_squared.sqrt();
+    let (from, to) = ((middle - half).max(0.0), (middle + half).min(1.0));
+    (from < to).then(|| [from, to].map(|t| [ax + t * dx, ay + t * dy]))
+}
+
+/// The part of a convex outline inside the unit disc: cut by the disc's tangents in turn.
+pub(crate) fn clipped(outline: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    const TANGENTS: u32 = 180;
+    let mut kept = outline.to_vec();
+    for k in 0..TANGENTS {
+        let (sin, cos) = (f64::from(k) * TAU / f64::from(TANGENTS)).sin_cos();
+        let depth = |[x, y]: [f64; 2]| 1.0 - (cos * x + sin * y);
+        let mut next = Vec::new();
+        for (a, b) in kept.iter().zip(kept.iter().cycle().skip(1)) {
+            let (da, db) = (depth(*a), depth(*b));
+            if da >= 0.0 {
+                next.push(*a);
+            }
+            if (da < 0.0) != (db < 0.0) {
+                let t = da / (da - db);
+                next.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
+            }
+        }
+        kept = next;
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thinning_keeps_corners_and_curves() {
+        let tolerance = 1e-3;
+        let straight: Vec<_> = (0..=10).map(|k| [f64::from(k), 2.0 * f64::from(k)]).collect();
+        assert_eq!(thin(&straight, tolerance), [[0.0, 0.0], [10.0, 20.0]]);
+        let bent = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 2.0]];
+        assert_eq!(thin(&bent, tolerance), [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0]]);
+        // A chord of an angle a is a^2 / 8 off its arc: one radian takes 1 / sqrt(8 h) of them.
+        let arc: Vec<_> = (0..=1000).map(|k| (f64::from(k) / 1000.0).sin_cos().into()).collect();
+        let chords = (thin(&arc, tolerance).len() - 1) as f64;
+        let wanted = 1.0 / (8.0 * tolerance).sqrt();
+        assert!((wanted..wanted + 2.0).contains(&chords), "{chords}, about {wanted}");
+    }
+
+    #[test]
+    fn chords_end_on_the_circle() {
+        let cut = [
+            ([-2.0, 0.6], [2.0, 0.6], [[-0.8, 0.6], [0.8, 0.6]]),
+            ([0.0, 0.0], [0.0, 2.0], [[0.0, 0.0], [0.0, 1.0]]),
+            ([0.5, 0.0], [0.0, 0.5], [[0.5, 0.0], [0.0, 0.5]]),
+        ];
+        for (from, to, wanted) in cut {
+            let got = chord(from, to).unwrap();
+            let near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-12;
+            assert!(got.as_flattened().iter().zip(wanted.as_flattened()).all(near), "{got:?}");
+        }
+        assert_eq!(chord([-2.0, 1.5], [2.0, 1.5]), None);
+        assert_eq!(chord([2.0, 0.0], [3.0, 0.0]), None);
+        assert_eq!(chord([0.5, 0.5], [0.5, 0.5]), None);
+    }
+
+    #[test]
+    fn clipping_a_square_leaves_the_disc() {
+        let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        let disc = clipped(&square);
+        let sides = disc.iter().zip(disc.iter().cycle().skip(1));
+        let area: f64 = sides.map(|(a, b)| 0.5 * (a[0] * b[1] - a[1] * b[0])).sum();
+        // 180 tangents enclose 180 tan(pi / 180).
+        let wanted = 180.0 * (TAU / 360.0).tan();
+        assert!((area - wanted).abs() < 1e-9, "{area}, wanted {wanted}");
+        let inner = square.map(|corner| corner.map(|k| 0.5 * k));
+        assert_eq!(clipped(&inner), inner);
+        assert!(clipped(&square.map(|[x, y]| [x + 3.0, y])).is_empty());
+    }
+}
