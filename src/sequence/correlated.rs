@@ -17,8 +17,8 @@ use crate::error::Error;
 /// evenly spread and in shuffled order.
 ///
 /// Promise: exactly one point in each of the m x n cells, in each of the mn strata of u and in each
-/// of the mn strata of v. A point costs three permutations (12 rounds each, 24 for
-/// lengths of 8 and less).
+/// of the mn strata of v. A point costs three permutations
+/// ([`permute`]).
 ///
 /// ```
 /// use hemidisc::sequence::Correlated;

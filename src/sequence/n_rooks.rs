@@ -13,7 +13,7 @@ use crate::error::Error;
 ///
 /// Promise: each of the N strata of u and each of the N strata of v holds exactly one point. The
 /// order is by column; a renderer that pairs two such sets shuffles one
-/// ([`Shuffled`](super::Shuffled)). A point costs one permutation (12 rounds, 24 for N <= 8).
+/// ([`Shuffled`](super::Shuffled)). A point costs one permutation ([`permute`]).
 ///
 /// ```
 /// use hemidisc::sequence::NRooks;
