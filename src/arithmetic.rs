@@ -1,7 +1,7 @@
 //! Arithmetics: the number type of the points and the kernels of every map on it.
 //!
 //! This is the only entry to real numbers. An arithmetic is a zero-sized type, so a binary may hold
-//! and compare several. To bring an f32 or f64 maths library of your own, implement [`Float`]: eight
+//! and compare several. To bring an f32 or f64 maths library of your own, implement [`Float`]: seven
 //! functions give every map. To bring a number type of your own, implement [`Arithmetic`].
 //!
 //! | arithmetic | feature | slot | functions |

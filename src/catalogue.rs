@@ -75,7 +75,7 @@ pub const SEQUENCES: [&str; 11] = [
 /// ones as they are.
 ///
 /// # Errors
-/// [`Error::EmptySet`] for a `count` of 0.
+/// [`Error::EmptyGrid`] for a `count` of 0.
 pub fn sequences(count: u32, seed: u32, visitor: &mut impl SequenceVisitor) -> Result<(), Error> {
     let [columns, rows] = grid(count);
     visitor.visit("regular", Regular::new(columns, rows)?);

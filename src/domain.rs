@@ -39,13 +39,14 @@ impl Domain {
         Self { state: absorb(self.state, key) }
     }
 
-    /// The domain of a pixel under this one.
+    /// The domain of a pixel under this one; no child's.
     pub const fn pixel(self, x: u32, y: u32) -> Self {
-        self.child(x).child(y)
+        let [a, b] = self.state;
+        Self { state: absorb(absorb([b, a], x), y) }
     }
 
-    /// The domain in which every sample of this one branches into `ways`, for `key` as in
-    /// [`child`](Self::child).
+    /// The domain in which every sample of this one branches into `ways`: that of
+    /// [`child(key)`](Self::child).
     ///
     /// The branches of all samples together are one stream: as even as if it had not been split.
     pub const fn split(self, key: u32, ways: u32) -> Split {
@@ -100,7 +101,7 @@ impl Split {
             return Ok(start..end);
         }
         let start = sample.saturating_mul(self.ways);
-        Err(Error::Range { start, count: self.ways, len: u32::MAX })
+        Err(Error::Range { start, count: self.ways, len: 1 << 32 })
     }
 }
 
@@ -139,6 +140,7 @@ mod tests {
         for key in (0..20_000).chain([u32::MAX, 1 << 31]) {
             assert!(seen.insert(root.child(key)), "child {key}");
         }
+        assert_ne!(root.pixel(1, 2), root.child(1).child(2));
         for (x, y) in (0..200).flat_map(|x| (0..200).map(move |y| (x, y))) {
             assert!(seen.insert(root.pixel(x, y)), "pixel {x} {y}");
         }
@@ -153,7 +155,7 @@ mod tests {
         assert_eq!(Domain::new(0).split(1, 0).branches(7), Ok(0..0));
         let last = u32::MAX / 4;
         assert_eq!(split.branches(last - 1), Ok(u32::MAX - 7..u32::MAX - 3));
-        let error = Error::Range { start: u32::MAX, count: 4, len: u32::MAX };
+        let error = Error::Range { start: u32::MAX, count: 4, len: 1 << 32 };
         assert_eq!(split.branches(last + 1), Err(error));
     }
 

@@ -34,11 +34,13 @@ pub enum Error {
         /// What was given (an `f32` widens to `f64` exactly).
         value: f64,
     },
-    /// A set of points with a count of zero along an axis, or in all.
-    EmptySet {
-        /// Columns asked for (the number of points, for a set that has no grid).
+    /// A set of no points.
+    EmptySet,
+    /// A grid without columns or without rows.
+    EmptyGrid {
+        /// Columns asked for.
         columns: u32,
-        /// Rows asked for (1 for a set that has no grid).
+        /// Rows asked for.
         rows: u32,
     },
     /// A grid whose number of points does not fit in a `u32`.
@@ -59,8 +61,8 @@ pub enum Error {
         start: u32,
         /// How many points were asked for.
         count: u32,
-        /// How many the set has.
-        len: u32,
+        /// How many the set has; 2^32 for an endless sequence.
+        len: u64,
     },
     /// A shard number that is not below the number of shards.
     Shard {
@@ -105,12 +107,13 @@ impl fmt::Display for Error {
             Self::Coordinate { axis, value } => {
                 write!(f, "coordinate {axis} is {value}; accepted: 0 <= {axis} < 1")
             }
-            Self::EmptySet { columns, rows } => {
-                write!(f, "a set of {columns} x {rows} points is empty; accepted: at least 1 x 1")
+            Self::EmptySet => f.write_str("a set of 0 points; accepted: at least 1"),
+            Self::EmptyGrid { columns, rows } => {
+                write!(f, "a grid of {columns} x {rows} points; accepted: at least 1 x 1")
             }
             Self::SetTooLarge { columns, rows } => write!(
                 f,
-                "a set of {columns} x {rows} points is too large; accepted: at most {} points",
+                "a grid of {columns} x {rows} points; accepted: at most {} points",
                 u32::MAX
             ),
             Self::StoredTooLong { len } => {
@@ -135,7 +138,7 @@ impl fmt::Display for Error {
             }
             Self::NotUnit { length_squared } => write!(
                 f,
-                "a vector with length squared {length_squared}; accepted: 1 within one part in 1024"
+                "a vector with length squared {length_squared}; accepted: 1 within 16 ulp"
             ),
             Self::NoDirection => f.write_str(
                 "a vector that is zero, infinite or not a number; accepted: finite, not zero",

@@ -68,7 +68,12 @@ pub enum Violation {
     /// More strata than the caller's memory can mark.
     NoRoom {
         /// Words of `u32` that are needed.
-        needed: usize,
+        needed: u64,
+    },
+    /// A point that random access, iteration and blocks do not agree on.
+    Inconsistent {
+        /// Its index.
+        index: u32,
     },
 }
 
@@ -83,6 +88,9 @@ impl fmt::Display for Violation {
             Self::NotInverted { uv, got } => write!(f, "{uv:#x?} came back as {got:#x?}"),
             Self::Stratum { grid: [columns, rows], index } => {
                 write!(f, "point {index} shares a stratum of {columns} x {rows}")
+            }
+            Self::Inconsistent { index } => {
+                write!(f, "point {index} depends on how it is asked for")
             }
             Self::NoRoom { needed } => write!(f, "marking the strata takes {needed} words"),
         }
@@ -204,7 +212,7 @@ where
 /// of 64 on.
 ///
 /// # Errors
-/// [`Violation::Stratum`] of a 1 x 1 grid, with the index that differs.
+/// [`Violation::Inconsistent`].
 pub fn consistent<S: Sequence>(sequence: &S, start: u32) -> Result<(), Violation> {
     let start = start & !63;
     let (mut u, mut v) = ([0; 64], [0; 64]);
@@ -214,7 +222,7 @@ pub fn consistent<S: Sequence>(sequence: &S, start: u32) -> Result<(), Violation
         let index = start.wrapping_add(offset);
         let point = sequence.point(index);
         if point != iterated || point != [block.0, block.1] {
-            return Err(Violation::Stratum { grid: [1, 1], index });
+            return Err(Violation::Inconsistent { index });
         }
     }
     Ok(())

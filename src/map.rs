@@ -38,6 +38,13 @@ pub trait Map: Copy {
     /// steradian on the hemisphere; 0 outside. Positive and finite at every sampled point.
     fn density(&self, point: Self::Point) -> Component<Self>;
 
+    /// The point of a pair of coordinates and its density: what a weight f / p needs.
+    #[inline]
+    fn sample_with_density(&self, uv: [u32; 2]) -> (Self::Point, Component<Self>) {
+        let point = self.sample(uv);
+        (point, self.density(point))
+    }
+
     /// The coordinates that [`sample`](Self::sample) sends to a point, or the nearest it can tell.
     ///
     /// Total: a point off the disc or the hemisphere, or not a number, gives some coordinates.
@@ -52,19 +59,9 @@ pub trait Map: Copy {
     }
 }
 
-/// Implements `rand`'s trait for a map: a sample of two uniform words.
+/// A sample of two uniform words of a generator, u first: `rand`'s trait for every map.
 #[cfg(feature = "rand")]
-macro_rules! distribution {
-    ($($generics:ident: $bound:path),*; $map:ty => $point:ty) => {
-        impl<$($generics: $bound),*> rand::distr::Distribution<$point> for $map {
-            /// Draws two words, u first.
-            #[inline]
-            fn sample<R: rand::Rng + ?Sized>(&self, rng: &mut R) -> $point {
-                let uv = [rng.next_u32(), rng.next_u32()];
-                crate::map::Map::sample(self, uv)
-            }
-        }
-    };
+pub(crate) fn draw<M: Map, R: rand::Rng + ?Sized>(map: &M, rng: &mut R) -> M::Point {
+    let uv = [rng.next_u32(), rng.next_u32()];
+    map.sample(uv)
 }
-#[cfg(feature = "rand")]
-pub(crate) use distribution;

@@ -44,9 +44,8 @@ impl<S: Sequence, M: Map> Points<S, M> {
     /// [`Error::Range`] if they are not within the set, or not below 2^32.
     pub fn of_range(sequence: S, map: M, start: u32, count: u32) -> Result<Self, Error> {
         let end = u64::from(start) + u64::from(count);
-        let size = sequence.size().map_or(1 << 32, u64::from);
-        if end > size {
-            let len = sequence.size().unwrap_or(u32::MAX);
+        let len = sequence.size().map_or(1 << 32, u64::from);
+        if end > len {
             return Err(Error::Range { start, count, len });
         }
         Ok(Self { sequence, map, start, len: count })
@@ -57,8 +56,9 @@ impl<S: Sequence, M: Map> Points<S, M> {
     /// # Errors
     /// [`Error::Range`] if they are not within this set.
     pub fn range(self, start: u32, count: u32) -> Result<Self, Error> {
-        if u64::from(start) + u64::from(count) > u64::from(self.len) {
-            return Err(Error::Range { start, count, len: self.len });
+        let len = u64::from(self.len);
+        if u64::from(start) + u64::from(count) > len {
+            return Err(Error::Range { start, count, len });
         }
         Ok(Self { start: self.start.wrapping_add(start), len: count, ..self })
     }
@@ -125,6 +125,14 @@ impl<S: Sequence, M: Map> Points<S, M> {
     #[inline]
     pub fn coordinates(&self, index: u32) -> Option<[u32; 2]> {
         (index < self.len).then(|| self.sequence.point(self.start.wrapping_add(index)))
+    }
+
+    /// The coordinates of all points in order: candidates for rejection, or for a map of one's own.
+    pub fn iter_coordinates(
+        &self,
+    ) -> impl ExactSizeIterator<Item = [u32; 2]> + DoubleEndedIterator + FusedIterator + Clone {
+        let Self { sequence, start, len, .. } = *self;
+        (0..len).map(move |index| sequence.point(start.wrapping_add(index)))
     }
 
     /// The points in order.
@@ -367,6 +375,24 @@ impl<S: Sequence, M: Map, const N: usize> Iterator for Chunks<S, M, N> {
     fn size_hint(&self) -> (usize, Option<usize>) {
         let len = (self.points.len / Self::SIZE) as usize;
         (len, Some(len))
+    }
+
+    #[inline]
+    fn nth(&mut self, n: usize) -> Option<[M::Point; N]> {
+        let skipped = n.min(self.len()) as u32 * Self::SIZE;
+        let (_, rest) = self.points.split_at(skipped).ok()?;
+        self.points = rest;
+        self.next()
+    }
+
+    #[inline]
+    fn count(self) -> usize {
+        self.len()
+    }
+
+    #[inline]
+    fn last(mut self) -> Option<[M::Point; N]> {
+        self.nth(self.len().checked_sub(1)?)
     }
 }
 

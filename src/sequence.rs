@@ -74,13 +74,7 @@ pub trait Sequence: Copy {
     /// The points from index `start` on, without end; the index wraps after `u32::MAX`.
     #[inline(always)]
     fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let sequence = *self;
-        let mut index = start;
-        core::iter::repeat_with(move || {
-            let point = sequence.point(index);
-            index = index.wrapping_add(1);
-            point
-        })
+        looked_up(*self, start)
     }
 
     /// The points of indices `start` .. `start` + 64, `start` a multiple of 64, an axis at a time.
@@ -90,6 +84,17 @@ pub trait Sequence: Copy {
             [*u, *v] = self.point(start.wrapping_add(offset));
         }
     }
+}
+
+/// The points from an index on, each by its index.
+#[inline(always)]
+fn looked_up<S: Sequence>(sequence: S, start: u32) -> impl Iterator<Item = [u32; 2]> {
+    let mut index = start;
+    core::iter::repeat_with(move || {
+        let point = sequence.point(index);
+        index = index.wrapping_add(1);
+        point
+    })
 }
 
 /// An m x n grid that is neither empty nor larger than a `u32` counts.
@@ -102,7 +107,7 @@ pub(crate) struct Grid {
 impl Grid {
     pub(crate) const fn new(columns: u32, rows: u32) -> Result<Self, Error> {
         let (Some(m), Some(n)) = (NonZeroU32::new(columns), NonZeroU32::new(rows)) else {
-            return Err(Error::EmptySet { columns, rows });
+            return Err(Error::EmptyGrid { columns, rows });
         };
         if columns.checked_mul(rows).is_none() {
             return Err(Error::SetTooLarge { columns, rows });
@@ -143,5 +148,5 @@ const fn repeat(index: u32, size: u32) -> u32 {
 
 /// The check that a set without a grid is not empty.
 const fn not_empty(count: u32) -> Result<(), Error> {
-    if count == 0 { Err(Error::EmptySet { columns: 0, rows: 1 }) } else { Ok(()) }
+    if count == 0 { Err(Error::EmptySet) } else { Ok(()) }
 }

@@ -98,5 +98,5 @@ fn grids_hold_their_points() {
         assert!(sequences(count, 0, &mut Names(Vec::new())).is_ok(), "{count}");
     }
     let empty = sequences(0, 0, &mut Names(Vec::new()));
-    assert_eq!(empty, Err(Error::EmptySet { columns: 0, rows: 0 }));
+    assert_eq!(empty, Err(Error::EmptyGrid { columns: 0, rows: 0 }));
 }

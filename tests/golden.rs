@@ -14,8 +14,8 @@ use hemidisc::catalogue::{
 };
 use hemidisc::disc::Rejection;
 use hemidisc::invariant::{Digest, Digestible};
-use hemidisc::sequence::{Sequence, Stored};
-use hemidisc::{LibmF32, LibmF64, Map, Points};
+use hemidisc::sequence::{Sequence, Shuffled, SobolOwen, Stored};
+use hemidisc::{Domain, LibmF32, LibmF64, Map, Points, UnitSquare};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -67,6 +67,43 @@ fn sequences_are_as_recorded() {
         }
     }
     compare("square.txt", &text);
+}
+
+/// A line for each sequence, shuffled.
+struct Shuffles<'a>(&'a mut String);
+
+impl SequenceVisitor for Shuffles<'_> {
+    fn visit<S: Sequence>(&mut self, name: &'static str, sequence: S) {
+        let mut digest = Digest::new();
+        for point in coordinates(Shuffled::new(sequence, Domain::new(SEED)), COUNT) {
+            digest.value_of(point);
+        }
+        writeln!(self.0, "shuffled {name} {:016x}", digest.value()).unwrap();
+    }
+}
+
+#[test]
+fn domains_are_as_recorded() {
+    let mut text = String::new();
+    let root = Domain::new(SEED);
+    for (name, domain) in [
+        ("seed 0", Domain::new(0)),
+        ("seed 7", root),
+        ("child", root.child(1)),
+        ("grandchild", root.child(1).child(2)),
+        ("pixel", root.pixel(1, 2)),
+        ("split", root.split(1, 4).domain()),
+    ] {
+        let (mut digest, stream) = (Digest::new(), domain.stream());
+        digest.value_of(domain.seed());
+        for index in (0..COUNT).chain([u32::MAX]) {
+            digest.value_of(SobolOwen::in_domain(domain).at(index));
+            digest.value_of([stream.at(index), stream.choose(index, 10)]);
+        }
+        writeln!(text, "domain {name} {:016x}", digest.value()).unwrap();
+    }
+    sequences(COUNT, SEED, &mut Shuffles(&mut text)).unwrap();
+    compare("domain.txt", &text);
 }
 
 /// The coordinates of every sequence.
@@ -133,6 +170,7 @@ fn digests<A: Arithmetic<Real: Digestible>>() -> String {
         writeln!(text, "{sequence} disc rejection - {:016x}", kept.value()).unwrap();
         let stored = Stored::new(points).unwrap();
         let mut mapped = Mapped { text: &mut text, sequence, stored, exponent: "-" };
+        mapped.line("square", "-", UnitSquare::<A>::new());
         maps::<A>(&mut mapped);
         for exponent in EXPONENTS {
             mapped.exponent = exponent;

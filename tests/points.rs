@@ -154,7 +154,7 @@ fn the_last_index_is_reached() {
     let last = Points::of_range(sequence, map, u32::MAX, 1).unwrap();
     assert_eq!(last.iter().collect::<Vec<_>>(), [map.sample(sequence.at(u32::MAX))]);
     let error = Points::of_range(sequence, map, u32::MAX, 2).unwrap_err();
-    assert_eq!(error, Error::Range { start: u32::MAX, count: 2, len: u32::MAX });
+    assert_eq!(error, Error::Range { start: u32::MAX, count: 2, len: 1 << 32 });
     let set = Points::new(Hammersley::new(8).unwrap(), map);
     assert_eq!(set.len(), 8);
     assert!(set.range(8, 0).is_ok() && set.range(8, 1).is_err() && set.first(9).is_err());

@@ -9,7 +9,8 @@ use std::path::Path;
 /// The bounds as Markdown.
 fn table() -> String {
     let mut text = String::from(
-        "| arithmetic | map | position | norm | theta | z |\n| --- | --- | --- | --- | --- | --- |\n",
+        "| arithmetic | map | position | norm | theta | z | density | inverse |\n\
+         | --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );
     for row in CONTRACTS {
         let unit = format!("2^{}", row.unit.log2());
@@ -22,8 +23,8 @@ fn table() -> String {
         let theta = if row.theta == 0.0 { "-".to_string() } else { format!("{}", row.theta) };
         writeln!(
             text,
-            "| `{}`, eps = {unit} | {} | {} | {} | {theta} | {z} |",
-            row.arithmetic, row.map, row.position, row.norm
+            "| `{}`, eps = {unit} | {} | {} | {} | {theta} | {z} | {} | {} |",
+            row.arithmetic, row.map, row.position, row.norm, row.density, row.inverse
         )
         .unwrap();
     }

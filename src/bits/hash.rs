@@ -41,10 +41,15 @@ pub(crate) const fn shift(seed: u32) -> [u32; 2] {
     [first, mix(first.rotate_left(13))]
 }
 
-/// An independent 32-bit key: the `stream`-th of a seed.
+/// What keeps the hashes of keys and of pairs apart: any two words will do.
+const KEYS: u32 = 0x6865_6d69;
+const PAIRS: u32 = 0x6469_7363;
+
+/// A 32-bit key of a seed for a purpose: a name of four letters, no other set's, so that sets of
+/// one seed have nothing in common.
 #[inline]
-pub(crate) const fn key(seed: u32, stream: u32) -> u32 {
-    absorb([seed, 0x6865_6d69], stream)[0]
+pub(crate) const fn key(seed: u32, purpose: [u8; 4]) -> u32 {
+    absorb([seed, KEYS], u32::from_be_bytes(purpose))[0]
 }
 
 /// A counter hash from an index to a pair of independent uniform words.
@@ -56,8 +61,9 @@ pub(crate) struct Pairs {
 }
 
 impl Pairs {
-    pub(crate) const fn new(seed: u32) -> Self {
-        let [index, u, v] = words([seed, 0x6469_7363], 0x7061_6972);
+    /// The pairs of a seed for a purpose, [`key`]'s.
+    pub(crate) const fn new(seed: u32, purpose: [u8; 4]) -> Self {
+        let [index, u, v] = words([seed, PAIRS], u32::from_be_bytes(purpose));
         Self { index, u, v }
     }
 
@@ -99,17 +105,17 @@ mod tests {
 
     #[test]
     fn keys_avalanche_in_seed_and_stream() {
-        avalanche(|seed| key(seed, 3));
-        avalanche(|stream| key(7, stream));
+        avalanche(|seed| key(seed, *b"test"));
+        avalanche(|purpose| key(7, purpose.to_be_bytes()));
     }
 
     #[test]
     fn pairs_avalanche() {
-        let pairs = Pairs::new(1);
+        let pairs = Pairs::new(1, *b"test");
         avalanche(|index| pairs.at(index)[0]);
         avalanche(|index| pairs.at(index)[1]);
-        avalanche(|seed| Pairs::new(seed).at(5)[0]);
-        avalanche(|seed| Pairs::new(seed).at(5)[1]);
+        avalanche(|seed| Pairs::new(seed, *b"test").at(5)[0]);
+        avalanche(|seed| Pairs::new(seed, *b"test").at(5)[1]);
         avalanche(|index| pairs.at(index)[0].wrapping_add(pairs.at(index)[1]));
     }
 

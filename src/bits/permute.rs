@@ -13,16 +13,21 @@
 
 use super::hash::mix;
 
-/// Rounds of swap-or-not until a chi-square test cannot tell the positions of elements, or of pairs
-/// of elements, from uniform ones (tests/promises/permutation.rs).
-const ROUNDS: u32 = 12;
+/// Rounds of swap-or-not. A chi-square test of places, or of pairs of places, can tell 10 from random
+/// (tests/promises/permutation.rs); and a round leaves an element where it is with probability 1/2,
+/// so log2(len) + 4 leave one element in 16 sets more in its place than chance does.
+const fn rounds(len: u32) -> u32 {
+    let enough = 36 - len.leading_zeros();
+    if enough > 12 { enough } else { 12 }
+}
 
 /// The longest list whose places fit the nibbles of a word.
 const SHORT: u32 = 8;
 
 /// The place of `index` in the permutation of 0..`len` that `seed` selects.
 ///
-/// Takes 12 rounds of two hashes each, or one hash and up to 7 swaps for `len` <= 8. An `index` that
+/// Takes 12 rounds of two hashes each (log2(len) + 4 above 256), or one hash and up to 7 swaps for
+/// `len` <= 8. An `index` that
 /// is not below `len` is returned as it is.
 ///
 /// ```
@@ -45,8 +50,8 @@ pub const fn permute(index: u32, len: u32, seed: u32) -> u32 {
 const fn swapped_or_not(index: u32, len: u32, seed: u32) -> u32 {
     let mut x = index;
     let mut state = seed;
-    let mut round = 0;
-    while round < ROUNDS {
+    let mut left = rounds(len);
+    while left > 0 {
         state = mix(state.wrapping_add(0x9e37_79b9));
         let key = ((state as u64 * len as u64) >> 32) as u32;
         let partner = if key >= x { key - x } else { len - (x - key) };
@@ -54,7 +59,7 @@ const fn swapped_or_not(index: u32, len: u32, seed: u32) -> u32 {
         if mix(upper ^ state.rotate_left(16)) & 1 != 0 {
             x = partner;
         }
-        round += 1;
+        left -= 1;
     }
     x
 }

@@ -24,8 +24,9 @@ pub fn cells<S: Sequence>(
     marks: &mut [u32],
 ) -> Result<(), Violation> {
     let count = u64::from(columns) * u64::from(rows);
-    let needed = count.div_ceil(32) as usize;
-    let Some(marks) = marks.get_mut(..needed) else {
+    let needed = count.div_ceil(32);
+    let marks = usize::try_from(needed).ok().and_then(|needed| marks.get_mut(..needed));
+    let Some(marks) = marks else {
         return Err(Violation::NoRoom { needed });
     };
     marks.fill(0);
@@ -63,15 +64,16 @@ pub fn rooks<S: Sequence>(
 /// of every shape 2^a x 2^(m - a), holds exactly one.
 ///
 /// # Errors
-/// As [`cells`], whose memory it needs for 2^m cells.
+/// As [`cells`], whose memory it needs for 2^m cells, m <= 31.
 pub fn net<S: Sequence>(
     sequence: &S,
     start: u32,
     m: u32,
     marks: &mut [u32],
 ) -> Result<(), Violation> {
-    // 2^m points of a u32 index.
-    let m = m.min(31);
+    if m > 31 {
+        return Err(Violation::NoRoom { needed: 1_u64.checked_shl(m - 5).unwrap_or(u64::MAX) });
+    }
     for a in 0..=m {
         cells(sequence, start, [1 << a, 1 << (m - a)], marks)?;
     }

@@ -68,7 +68,13 @@ macro_rules! disc_map {
         }
 
         #[cfg(feature = "rand")]
-        crate::map::distribution!(A: Arithmetic; $map<A> => [A::Real; 2]);
+        impl<A: Arithmetic> rand::distr::Distribution<[A::Real; 2]> for $map<A> {
+            /// Draws two words, u first.
+            #[inline]
+            fn sample<R: rand::Rng + ?Sized>(&self, rng: &mut R) -> [A::Real; 2] {
+                crate::map::draw(self, rng)
+            }
+        }
     };
 }
 use disc_map;

@@ -147,8 +147,7 @@ impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>>
     /// Draws two words, u first.
     #[inline]
     fn sample<R: rand::Rng + ?Sized>(&self, rng: &mut R) -> Direction<L::Arithmetic> {
-        let uv = [rng.next_u32(), rng.next_u32()];
-        Map::sample(self, uv)
+        crate::map::draw(self, rng)
     }
 }
 

@@ -34,5 +34,12 @@ impl<A: Arithmetic> Map for UnitSquare<A> {
         A::invert_square(point)
     }
 }
+
 #[cfg(feature = "rand")]
-super::distribution!(A: Arithmetic; UnitSquare<A> => [A::Real; 2]);
+impl<A: Arithmetic> rand::distr::Distribution<[A::Real; 2]> for UnitSquare<A> {
+    /// Draws two words, u first.
+    #[inline]
+    fn sample<R: rand::Rng + ?Sized>(&self, rng: &mut R) -> [A::Real; 2] {
+        super::draw(self, rng)
+    }
+}

@@ -42,16 +42,16 @@ impl Correlated {
     /// A grid of `columns` x `rows`; every seed, 0 too, is hashed.
     ///
     /// # Errors
-    /// [`Error::EmptySet`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
+    /// [`Error::EmptyGrid`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
     pub const fn new(columns: u32, rows: u32, seed: u32) -> Result<Self, Error> {
         match Grid::new(columns, rows) {
             Ok(grid) => Ok(Self {
                 grid,
                 fine: Strata::new(grid.size()),
-                order: key(seed, 0),
-                columns: key(seed, 1),
-                rows: key(seed, 2),
-                jitter: Pairs::new(seed),
+                order: key(seed, *b"coro"),
+                columns: key(seed, *b"corc"),
+                rows: key(seed, *b"corw"),
+                jitter: Pairs::new(seed, *b"corr"),
             }),
             Err(error) => Err(error),
         }

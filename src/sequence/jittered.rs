@@ -28,14 +28,14 @@ impl Jittered {
     /// A grid of `columns` x `rows`; every seed, 0 too, is hashed.
     ///
     /// # Errors
-    /// [`Error::EmptySet`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
+    /// [`Error::EmptyGrid`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
     pub const fn new(columns: u32, rows: u32, seed: u32) -> Result<Self, Error> {
         match Grid::new(columns, rows) {
             Ok(grid) => Ok(Self {
                 grid,
                 columns: Strata::new(columns),
                 rows: Strata::new(rows),
-                jitter: Pairs::new(seed),
+                jitter: Pairs::new(seed, *b"jitt"),
             }),
             Err(error) => Err(error),
         }

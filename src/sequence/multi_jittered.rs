@@ -7,7 +7,7 @@
 
 use super::{Grid, Sequence, repeat};
 use crate::bits::{
-    hash::{Pairs, key},
+    hash::{Pairs, key, mix},
     permute::permute,
     strata::Strata,
 };
@@ -40,15 +40,15 @@ impl MultiJittered {
     /// A grid of `columns` x `rows`; every seed, 0 too, is hashed.
     ///
     /// # Errors
-    /// [`Error::EmptySet`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
+    /// [`Error::EmptyGrid`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
     pub const fn new(columns: u32, rows: u32, seed: u32) -> Result<Self, Error> {
         match Grid::new(columns, rows) {
             Ok(grid) => Ok(Self {
                 grid,
                 fine: Strata::new(grid.size()),
-                in_columns: key(seed, 0),
-                in_rows: key(seed, 1),
-                jitter: Pairs::new(seed),
+                in_columns: key(seed, *b"mulc"),
+                in_rows: key(seed, *b"mulr"),
+                jitter: Pairs::new(seed, *b"mult"),
             }),
             Err(error) => Err(error),
         }
@@ -60,8 +60,10 @@ impl MultiJittered {
         let index = repeat(index, self.grid.size());
         let (columns, rows) = (self.grid.columns(), self.grid.rows());
         let [column, row] = self.grid.cell(index);
-        let fine_column = column * rows + permute(row, rows, key(self.in_columns, column));
-        let fine_row = row * columns + permute(column, columns, key(self.in_rows, row));
+        let fine_column =
+            column * rows + permute(row, rows, mix(self.in_columns.wrapping_add(column)));
+        let fine_row =
+            row * columns + permute(column, columns, mix(self.in_rows.wrapping_add(row)));
         let [u, v] = self.jitter.at(index);
         [self.fine.jittered(fine_column, u), self.fine.jittered(fine_row, v)]
     }

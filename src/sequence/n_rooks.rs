@@ -39,8 +39,8 @@ impl NRooks {
         match not_empty(count) {
             Ok(()) => Ok(Self {
                 strata: Strata::new(count),
-                rows: key(seed, 0),
-                jitter: Pairs::new(seed),
+                rows: key(seed, *b"rows"),
+                jitter: Pairs::new(seed, *b"rook"),
             }),
             Err(error) => Err(error),
         }

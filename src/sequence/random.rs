@@ -6,7 +6,8 @@ use crate::bits::hash::Pairs;
 /// Independent uniform points: a hash of index and seed.
 ///
 /// Promise: none about strata; unlike a generator it has no state, so any index costs the same
-/// (three bijective hashes of two multiplications each).
+/// (three hashes of two multiplications each). The hashes are bijections: no coordinate of an axis
+/// comes twice in 2^32 points, where truly independent ones begin to repeat after some 2^16.
 ///
 /// ```
 /// use hemidisc::sequence::Random;
@@ -20,7 +21,7 @@ pub struct Random {
 impl Random {
     /// The stream of `seed`; every seed, 0 too, is hashed.
     pub const fn new(seed: u32) -> Self {
-        Self { pairs: Pairs::new(seed) }
+        Self { pairs: Pairs::new(seed, *b"rand") }
     }
 
     /// The point of any index.

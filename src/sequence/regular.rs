@@ -27,7 +27,7 @@ impl Regular {
     /// A grid of `columns` x `rows`.
     ///
     /// # Errors
-    /// [`Error::EmptySet`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
+    /// [`Error::EmptyGrid`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
     pub const fn new(columns: u32, rows: u32) -> Result<Self, Error> {
         match Grid::new(columns, rows) {
             Ok(grid) => Ok(Self { grid }),

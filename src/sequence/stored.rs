@@ -1,6 +1,6 @@
 //! Points that the caller has stored: recorded, random, or a table in flash.
 
-use super::{Block, Sequence, repeat};
+use super::{Block, Sequence, looked_up, repeat};
 use crate::error::Error;
 
 /// The caller's own points, in a slice of at least one.
@@ -26,7 +26,7 @@ impl<'a> Stored<'a> {
     /// counts.
     pub const fn new(points: &'a [[u32; 2]]) -> Result<Self, Error> {
         if points.is_empty() {
-            return Err(Error::EmptySet { columns: 0, rows: 1 });
+            return Err(Error::EmptySet);
         }
         if points.len() as u64 > u32::MAX as u64 {
             return Err(Error::StoredTooLong { len: points.len() });
@@ -55,11 +55,11 @@ impl Sequence for Stored<'_> {
 
     #[inline(always)]
     fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let start = repeat(start, self.points.len() as u32) as usize;
-        let (before, from) = self.points.split_at_checked(start).unwrap_or((&[], self.points));
-        from.iter()
-            .chain(core::iter::repeat_with(move || before.iter().chain(from)).flatten())
-            .copied()
+        let first = repeat(start, self.points.len() as u32) as usize;
+        let from = self.points.get(first..).unwrap_or_default();
+        // A walk along the slice; what repeats after its end is looked up.
+        let after = looked_up(*self, start.wrapping_add(from.len() as u32));
+        from.iter().copied().chain(after)
     }
 
     #[inline(always)]

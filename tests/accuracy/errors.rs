@@ -48,6 +48,7 @@ pub struct Reference {
     pub s2: Pair,
     /// None on the disc.
     pub z: Option<Pair>,
+    pub density: Pair,
 }
 
 /// Errors of points in units of a contract, the largest of each kind.
@@ -59,6 +60,8 @@ pub struct Errors {
     /// (|dz / z| / unit - first) / |ln z|, for the contract's first; and |dz / z| / unit itself.
     pub z_slope: f64,
     pub z: f64,
+    pub density: f64,
+    pub inverse: f64,
 }
 
 impl Errors {
@@ -92,6 +95,26 @@ impl Errors {
             theta: theta.abs() / unit,
             z_slope: if over > 0.0 { over / log } else { 0.0 },
             z: dz.abs() / unit,
+            ..Self::default()
+        }
+    }
+
+    /// The errors at one sample of a map, of its density and of its inverse too.
+    pub fn at<A: Arithmetic<Real: Exact>, const D: usize>(
+        map: &impl Map<Arithmetic = A, Point = [A::Real; D]>,
+        uv: [u32; 2],
+        reference: Reference,
+        contract: &Contract,
+    ) -> Self {
+        let point = map.sample(uv);
+        let [here, there] = [point, map.sample(map.invert(point))].map(exact);
+        let apart = here.iter().zip(there).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+        let exactly = reference.density;
+        let density = (map.density(point).exact() - exactly.hi - exactly.lo) / exactly.hi;
+        Self {
+            density: density.abs() / contract.unit,
+            inverse: apart / contract.unit,
+            ..Self::of(here, reference, contract)
         }
     }
 
@@ -107,9 +130,12 @@ impl Errors {
         larger(&mut self.theta, other.theta);
         larger(&mut self.z_slope, other.z_slope);
         larger(&mut self.z, other.z);
+        larger(&mut self.density, other.density);
+        larger(&mut self.inverse, other.inverse);
     }
 
-    /// Asserts the bounds of a contract; `theta` and `z` only where they are promised.
+    /// Asserts the bounds of a contract; those of theta, density and inverse, and that of z, only
+    /// where they are promised.
     pub fn assert_within(&self, contract: &Contract, theta: bool, z: bool, label: &str) {
         let c = contract;
         let check = |name: &str, error: f64, bound: f64| {
@@ -119,6 +145,8 @@ impl Errors {
         check("norm", self.norm, c.norm);
         if theta {
             check("theta", self.theta, c.theta);
+            check("density", self.density, c.density);
+            check("inverse", self.inverse, c.inverse);
         }
         if z {
             check("slope of z", self.z_slope, c.z[1]);
@@ -138,6 +166,8 @@ impl Errors {
         check("theta", self.theta, contract.theta);
         check("z", self.z, contract.z[0]);
         check("slope of z", self.z_slope, contract.z[1]);
+        check("density", self.density, contract.density);
+        check("inverse", self.inverse, contract.inverse);
     }
 }
 
@@ -180,7 +210,7 @@ pub fn each_power_map<A: Arithmetic>(exponent: A::Parameter, visitor: &mut impl 
 }
 
 /// A point's components as doubles.
-pub fn exact<R: Exact, const D: usize>(point: [R; D]) -> [f64; D] {
+fn exact<R: Exact, const D: usize>(point: [R; D]) -> [f64; D] {
     point.map(Exact::exact)
 }
 

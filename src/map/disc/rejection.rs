@@ -6,18 +6,19 @@
 
 use crate::arithmetic::Arithmetic;
 use crate::error::Error;
+use core::iter::Take;
 use core::marker::PhantomData;
 use core::num::NonZeroU32;
 
 /// An iterator adaptor from coordinates to the points of the disc that survive.
 ///
-/// The draws are bounded: by the length of the candidates ([`new`](Self::new)), or to a number for
-/// each point ([`bounded`](Self::bounded)), for a generator that never ends.
+/// The draws are bounded: by the length of the candidates ([`new`](Self::new)), to a number in all
+/// ([`of_draws`](Self::of_draws)) or to a number for each point ([`bounded`](Self::bounded)).
 ///
 /// ```
-/// use hemidisc::{LibmF32, disc::Rejection, sequence::{Sequence, Regular}};
-/// let grid = Regular::new(4, 4)?;
-/// let mut kept = Rejection::<LibmF32, _>::new((0..16).map(|i| grid.at(i)));
+/// use hemidisc::{Concentric, LibmF32, Points, disc::Rejection, sequence::Regular};
+/// let grid = Points::new(Regular::new(4, 4)?, Concentric::<LibmF32>::new());
+/// let mut kept = Rejection::<LibmF32, _>::new(grid.iter_coordinates());
 /// assert_eq!(kept.by_ref().count(), 12);
 /// assert_eq!((kept.drawn(), kept.kept()), (16, 12));
 /// # Ok::<(), hemidisc::Error>(())
@@ -42,9 +43,9 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Rejection<A, I> {
 
     /// Draws at most `limit` candidates for each point, from candidates that may never end.
     ///
-    /// Where all `limit` are outside, the last of them is mapped concentrically instead: still
-    /// on the disc. For independent candidates that happens to one point in 4.66^`limit`, so a
-    /// limit of 32 is never reached by chance (2e-21).
+    /// The `limit`-th is not rejected: wherever it lies, the concentric map takes it to the disc. So
+    /// independent candidates give uniform points for any limit, and one point in 4.66^(`limit` - 1)
+    /// is not an original candidate.
     ///
     /// # Errors
     /// [`Error::NoDraws`] for a limit of 0.
@@ -61,12 +62,18 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Rejection<A, I> {
         }
     }
 
+    /// Draws `draws` candidates in all, from candidates that may never end.
+    pub fn of_draws(candidates: I, draws: u32) -> Rejection<A, Take<I>> {
+        let candidates = candidates.take(draws as usize);
+        Rejection { candidates, limit: None, drawn: 0, kept: 0, arithmetic: PhantomData }
+    }
+
     /// Candidates drawn so far.
     pub const fn drawn(&self) -> u64 {
         self.drawn
     }
 
-    /// Candidates found inside so far; a fallback point does not count.
+    /// Candidates found inside and kept so far; one that was mapped does not count.
     pub const fn kept(&self) -> u64 {
         self.kept
     }
@@ -107,17 +114,19 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Iterator for Rejection<A, I> {
     type Item = [A::Real; 2];
 
     fn next(&mut self) -> Option<[A::Real; 2]> {
-        let mut misses = 0;
+        let mut left = self.limit.map(NonZeroU32::get);
         loop {
             let candidate = self.candidates.next()?;
             self.drawn += 1;
+            if let Some(left) = &mut left {
+                *left -= 1;
+                if *left == 0 {
+                    return Some(A::store(A::concentric::<false>(candidate)));
+                }
+            }
             if let Some(point) = Rejection::<A>::sample(candidate) {
                 self.kept += 1;
                 return Some(point);
-            }
-            misses += 1;
-            if self.limit.is_some_and(|limit| misses >= limit.get()) {
-                return Some(A::store(A::concentric::<false>(candidate)));
             }
         }
     }
