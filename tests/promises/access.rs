@@ -1,0 +1,121 @@
+//! Every way to a point gives the same point: `at`, `point`, `iter` and `block`. Sets repeat.
+
+use hemidisc::{
+    Domain, Error,
+    bits::hash::mix,
+    catalogue::{SEQUENCES, SequenceVisitor, sequences},
+    sequence::{
+        BLOCK, Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random,
+        Regular, Sequence, Shuffled, Sobol, SobolOwen, Stored,
+    },
+};
+
+const COUNTS: [u32; 8] = [1, 2, 63, 64, 65, 100, 300, 65_536];
+
+/// The last start of a block, and of a run that ends with the last index.
+const LAST: u32 = u32::MAX - (BLOCK as u32 - 1);
+
+fn assert_access(sequence: impl Sequence, what: &str) {
+    let starts = [0, 64, 128, 64 << 10, 1 << 31, (1 << 31) - 64, LAST - 64, LAST];
+    for start in starts.into_iter().chain((0..20).map(|i| mix(i) & !63)) {
+        let expected: Vec<_> = (0..64).map(|i| sequence.point(start + i)).collect();
+        let (mut u, mut v) = ([0; BLOCK], [0; BLOCK]);
+        sequence.block(start, &mut u, &mut v);
+        let block: Vec<_> = u.into_iter().zip(v).map(|(u, v)| [u, v]).collect();
+        assert_eq!(block, expected, "{what}: block from {start}");
+        for ahead in [0, 1, 17, 63] {
+            let left: Vec<_> = sequence.iter(start + ahead as u32).take(64 - ahead).collect();
+            assert_eq!(left, expected[ahead..], "{what}: iter from {start} + {ahead}");
+        }
+    }
+    let far: Vec<_> = sequence.iter(5).take(700).collect();
+    assert!(far.iter().zip(5..).all(|(&point, i)| point == sequence.point(i)), "{what}: iter");
+    if let Some(size) = sequence.size() {
+        for i in (0..200).flat_map(|i| [i, u32::MAX - i, mix(i), size.wrapping_add(i)]) {
+            assert_eq!(sequence.point(i), sequence.point(i % size), "{what}: point {i} of {size}");
+        }
+    }
+}
+
+/// After the last index comes the first.
+fn assert_wraps(sequence: impl Sequence, what: &str) {
+    let wrapped: Vec<_> = sequence.iter(u32::MAX - 1).take(4).collect();
+    let expected = [u32::MAX - 1, u32::MAX, 0, 1].map(|i| sequence.point(i));
+    assert_eq!(wrapped, expected, "{what}: iter over the last index");
+}
+
+struct Access {
+    seed: u32,
+    count: u32,
+    seen: Vec<&'static str>,
+}
+
+impl SequenceVisitor for Access {
+    fn visit<S: Sequence>(&mut self, name: &'static str, sequence: S) {
+        let what = format!("{name} of {}, seed {:#x}", self.count, self.seed);
+        assert_access(sequence, &what);
+        assert_wraps(sequence, &what);
+        let shuffled = Shuffled::new(sequence, Domain::new(self.seed));
+        assert_access(shuffled, &format!("shuffled {what}"));
+        assert_wraps(shuffled, &format!("shuffled {what}"));
+        self.seen.push(name);
+    }
+}
+
+#[test]
+fn the_whole_catalogue() {
+    for count in COUNTS {
+        for seed in [0, 7, u32::MAX] {
+            let mut access = Access { seed, count, seen: Vec::new() };
+            sequences(count, seed, &mut access).unwrap();
+            assert_eq!(access.seen, SEQUENCES);
+        }
+    }
+}
+
+#[test]
+fn stored() {
+    let points: Vec<_> = (0..1000).map(|i| [mix(i), mix(!i)]).collect();
+    for count in [1, 2, 63, 64, 65, 1000] {
+        let what = format!("stored, {count}");
+        let stored = Stored::new(&points[..count]).unwrap();
+        assert_eq!(stored.size(), Some(count as u32));
+        assert!((0..count).all(|i| stored.at(i as u32) == points[i]), "{what}");
+        assert_access(stored, &what);
+        assert_access(Shuffled::new(stored, Domain::new(1)), &format!("shuffled {what}"));
+    }
+}
+
+/// The inherent `at`, which constants use, is the trait's `point`, which generic code uses.
+#[test]
+fn at_is_point() -> Result<(), Error> {
+    macro_rules! assert_at_is_point {
+        ($($sequence:expr),* $(,)?) => {$(
+            let sequence = $sequence;
+            for i in (0..1000).flat_map(|i| [i, u32::MAX - i, mix(i)]) {
+                let what = stringify!($sequence);
+                assert_eq!(sequence.at(i), Sequence::point(&sequence, i), "{what}, point {i}");
+            }
+        )*};
+    }
+    const TABLE: [u32; 2] = Sobol::new(7).at(3); // also at compile time
+    assert_eq!(Sobol::new(7).point(3), TABLE);
+    let points = [[1, 2], [3, 4], [5, 6]];
+    for seed in [0, 1, u32::MAX] {
+        assert_at_is_point!(
+            Regular::new(7, 9)?,
+            Random::new(seed),
+            Jittered::new(7, 9, seed)?,
+            NRooks::new(63, seed)?,
+            MultiJittered::new(7, 9, seed)?,
+            Correlated::new(7, 9, seed)?,
+            Hammersley::new(63)?,
+            Halton::new(),
+            Sobol::new(seed),
+            SobolOwen::new(seed),
+            R2::new(seed),
+            Stored::new(&points)?,
+        );
+    }
+    Ok(())
+}

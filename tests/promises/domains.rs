@@ -1,0 +1,194 @@
+//! Domains: the points of siblings are independent, and so are their streams. A shuffle keeps its
+//! set and changes the order.
+
+use super::{nets::assert_net, permutation::assert_uniform};
+use crate::chi_square::assert_random;
+use hemidisc::{
+    Domain, Error,
+    bits::hash::mix,
+    sequence::{MultiJittered, Regular, Sequence, Shuffled, Sobol, SobolOwen, Stored},
+};
+use std::collections::HashSet;
+
+/// Cells of a 4 x 4 grid that the first `count` pairs of coordinates fill.
+fn filled(count: u32, pair: impl Fn(u32) -> [u32; 2]) -> u32 {
+    let cells =
+        (0..count).map(pair).fold(0_u16, |cells, [a, b]| cells | 1 << (a >> 30 << 2 | b >> 30));
+    cells.count_ones()
+}
+
+/// Pairs that share an order leave 12 of 16 cells empty (DESIGN.md, decision 10). Siblings fill as
+/// many as 4 x 4 random permutations of a binary tree do, 16 (1 - (3/4)^(n/4)) for n points; over
+/// 100,000 pairs 10.9, 14.4 and 15.8 were measured, and all 16 cells in 3-9, 43-47 and 92-93 % of them.
+#[test]
+fn siblings_pair_as_if_independent() {
+    let (sobol, scrambled) = (Sobol::new(0), Sobol::new(7));
+    assert_eq!(filled(64, |i| [sobol.at(i)[0], scrambled.at(i)[0]]), 4);
+
+    // Of 1000 pairs: how many may fill less than half, and must fill all.
+    let counts = [(16, 10.94, 90, 15), (32, 14.41, 5, 380), (64, 15.84, 0, 900)];
+    for (count, expected, poor, full) in counts {
+        for (axis, other) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let fills: Vec<u32> = (0..1000)
+                .map(|i| {
+                    let parent = Domain::new(7).child(i);
+                    let lens = SobolOwen::in_domain(parent.child(0));
+                    let light = SobolOwen::in_domain(parent.child(1));
+                    filled(count, |i| [lens.at(i)[axis], light.at(i)[other]])
+                })
+                .collect();
+            let what = format!("{count} points, axes {axis} and {other}");
+            let mean = f64::from(fills.iter().sum::<u32>()) / 1000.0;
+            assert!((mean - expected).abs() < 0.25, "{what}: {mean} cells, expected {expected}");
+            let [few, all] =
+                [0..8, 16..17].map(|r| fills.iter().filter(|&f| r.contains(f)).count());
+            assert!(few <= poor && all >= full, "{what}: {few} fill less than half, {all} all");
+        }
+    }
+}
+
+/// Streams and points of one domain, and of a child and its parent, pair as if independent.
+#[test]
+fn streams_pair_as_if_independent() {
+    for axis in [0, 1] {
+        let mut sums = [0; 3];
+        for i in 0..1000 {
+            let domain = Domain::new(i);
+            let (points, stream) = (SobolOwen::in_domain(domain), domain.stream());
+            let child = domain.child(0);
+            let (below, other) = (SobolOwen::in_domain(child), child.stream());
+            sums[0] += filled(64, |i| [points.at(i)[axis], stream.at(i)]);
+            sums[1] += filled(64, |i| [points.at(i)[axis], below.at(i)[axis]]);
+            sums[2] += filled(64, |i| [stream.at(i), other.at(i)]);
+        }
+        assert!(sums.iter().all(|&sum| (15_500..16_000).contains(&sum)), "{sums:?} of 16,000");
+    }
+}
+
+fn domains() -> Vec<(&'static str, Vec<Domain>)> {
+    let root = Domain::new(0);
+    vec![
+        ("seeds", (0..1 << 14).map(Domain::new).collect()),
+        ("children", (0..1 << 14).map(|key| root.child(key)).collect()),
+        ("pixels", (0..1 << 14).map(|i| root.pixel(i & 127, i >> 7)).collect()),
+        ("high keys", (0..1 << 14).map(|i| root.child(i << 18)).collect()),
+        ("bounces", (0..1 << 14).map(|i| root.child(i >> 2).child(i & 3)).collect()),
+    ]
+}
+
+#[test]
+fn first_points_differ() {
+    for (name, domains) in domains() {
+        let domains = &domains[..1000];
+        let points: HashSet<_> = domains.iter().map(|&d| SobolOwen::in_domain(d).at(0)).collect();
+        let streams: HashSet<_> = domains.iter().map(|d| d.stream().at(0)).collect();
+        let seeds: HashSet<_> = domains.iter().map(|d| d.seed()).collect();
+        let distinct = [domains.iter().collect::<HashSet<_>>().len(), points.len()];
+        assert_eq!(distinct, [1000; 2], "{name}");
+        assert_eq!([streams.len(), seeds.len()], [1000; 2], "{name}");
+    }
+}
+
+/// The first points over domains are uniform, and those of neighbours are not related.
+#[test]
+fn first_points_are_uniform() {
+    for (name, domains) in domains() {
+        let firsts: Vec<_> = domains.iter().map(|&d| SobolOwen::in_domain(d).at(0)).collect();
+        let streams: Vec<_> = domains.iter().map(|d| d.stream().at(0)).collect();
+        let count = |cells: &mut dyn Iterator<Item = [u32; 2]>| {
+            let mut counts = [0; 256];
+            cells.for_each(|[a, b]| counts[(a >> 28 << 4 | b >> 28) as usize] += 1);
+            counts
+        };
+        assert_random(&count(&mut firsts.iter().copied()), &format!("first points over {name}"));
+        for axis in [0, 1] {
+            let mut neighbours = firsts.windows(2).map(|pair| [pair[0][axis], pair[1][axis]]);
+            let what = format!("axis {axis} of first points of neighbouring {name}");
+            assert_random(&count(&mut neighbours), &what);
+            let mut paired = firsts.iter().zip(&streams).map(|(point, &t)| [point[axis], t]);
+            assert_random(&count(&mut paired), &format!("axis {axis} and the stream over {name}"));
+        }
+    }
+}
+
+/// The branches of all samples of a split are one sequence: aligned blocks are nets.
+#[test]
+fn splits_are_one_stream() {
+    let split = Domain::new(7).split(3, 4);
+    let points = SobolOwen::in_domain(split.domain());
+    for block in [0, 64, 1 << 20] {
+        let indices = (block..block + 64).flat_map(|sample| split.branches(sample).unwrap());
+        assert_net(&indices.map(|i| points.at(i)).collect::<Vec<_>>(), "64 samples of 4 branches");
+    }
+    assert_eq!(split.domain(), Domain::new(7).child(3));
+    assert_eq!(split.branches(u32::MAX / 4 - 1), Ok(u32::MAX - 7..u32::MAX - 3));
+    let error = split.branches(u32::MAX / 4 + 1).unwrap_err();
+    assert!(matches!(error, Error::Range { .. }), "{error}");
+    assert_eq!(Domain::new(7).split(3, 0).branches(9), Ok(0..0));
+}
+
+/// The order of a shuffled set of `size` points: where each came from.
+fn assert_shuffled(set: impl Sequence, what: &str) {
+    let size = set.size().unwrap();
+    let sorted = |sequence: &dyn Fn(u32) -> [u32; 2]| {
+        let mut points: Vec<_> = (0..size).map(sequence).collect();
+        points.sort_unstable();
+        points
+    };
+    let orders = [Domain::new(1), Domain::new(2)].map(|domain| {
+        let shuffled = Shuffled::new(set, domain);
+        assert_eq!(shuffled.size(), Some(size), "{what}");
+        assert_eq!(
+            sorted(&|i| shuffled.point(i)),
+            sorted(&|i| set.point(i)),
+            "{what}: other points"
+        );
+        (0..size).map(|i| shuffled.point(i)).collect::<Vec<_>>()
+    });
+    let straight: Vec<_> = (0..size).map(|i| set.point(i)).collect();
+    for (a, b) in [(&orders[0], &orders[1]), (&orders[0], &straight), (&orders[1], &straight)] {
+        let same = a.iter().zip(b).filter(|(a, b)| a == b).count();
+        assert!(same < 10 + size as usize / 4, "{what}: {same} of {size} stay");
+    }
+}
+
+#[test]
+fn a_shuffle_keeps_the_set() {
+    assert_shuffled(Regular::new(8, 8).unwrap(), "regular");
+    assert_shuffled(MultiJittered::new(37, 27, 7).unwrap(), "multi-jittered");
+    // A multiset: every fourth point four times.
+    let points: Vec<_> = (0..400).map(|i| [mix(i / 4), mix(!(i / 4))]).collect();
+    assert_shuffled(Stored::new(&points).unwrap(), "stored");
+
+    // Which point comes first is uniform over domains.
+    let set = Regular::new(4, 4).unwrap();
+    let mut counts = [0; 16];
+    for key in 0..16_000 {
+        let [u, v] = Shuffled::new(set, Domain::new(1).child(key)).point(0);
+        counts[(u >> 30 << 2 | v >> 30) as usize] += 1;
+    }
+    assert_uniform(&counts, "first point of a shuffled grid");
+}
+
+/// A shuffle of an endless sequence takes aligned blocks of 2^k to aligned blocks of 2^k.
+#[test]
+fn a_shuffle_keeps_aligned_blocks() {
+    let index = |[u, _]: [u32; 2]| u.reverse_bits();
+    for key in 0..50 {
+        let shuffled = Shuffled::new(Sobol::new(0), Domain::new(key));
+        for k in 0..=10_u32 {
+            for start in [0, 1 << k, 7 << k, (u32::MAX >> k) << k] {
+                let mut block: Vec<_> =
+                    (0..1 << k).map(|i| index(shuffled.point(start + i))).collect();
+                block.sort_unstable();
+                let first = block[0];
+                assert_eq!(first % (1 << k), 0, "key {key}, 2^{k} from {start}");
+                assert!(block.into_iter().zip(first..).all(|(a, b)| a == b), "key {key}, 2^{k}");
+            }
+        }
+    }
+    let starts: HashSet<_> = (0..1000)
+        .map(|key| index(Shuffled::new(Sobol::new(0), Domain::new(key)).point(0)))
+        .collect();
+    assert_eq!(starts.len(), 1000, "orders of different domains start alike");
+}

@@ -1,0 +1,96 @@
+//! What constructors refuse, word for word, and the largest and smallest that they accept.
+
+use hemidisc::{
+    Error,
+    catalogue::{SequenceVisitor, grid, sequences},
+    sequence::{
+        Correlated, Hammersley, Jittered, MultiJittered, NRooks, Regular, Sequence, Stored,
+    },
+};
+
+fn refused<T>(result: Result<T, Error>) -> String {
+    match result {
+        Ok(_) => "accepted".to_string(),
+        Err(error) => error.to_string(),
+    }
+}
+
+/// What each grid says to a shape.
+fn grids(m: u32, n: u32) -> [String; 4] {
+    [
+        refused(Regular::new(m, n)),
+        refused(Jittered::new(m, n, 7)),
+        refused(MultiJittered::new(m, n, 7)),
+        refused(Correlated::new(m, n, 7)),
+    ]
+}
+
+#[test]
+fn empty_sets() {
+    for [m, n] in [[0, 0], [0, 1], [1, 0], [0, u32::MAX], [u32::MAX, 0]] {
+        let message = format!("a grid of {m} x {n} points; accepted: at least 1 x 1");
+        assert_eq!(grids(m, n), [0; 4].map(|_| message.clone()));
+        assert_eq!(Regular::new(m, n), Err(Error::EmptyGrid { columns: m, rows: n }));
+    }
+    let message = "a set of 0 points; accepted: at least 1";
+    assert_eq!(refused(NRooks::new(0, 7)), message);
+    assert_eq!(refused(Hammersley::new(0)), message);
+    assert_eq!(refused(Stored::new(&[])), message);
+    assert_eq!(Stored::new(&[]), Err(Error::EmptySet));
+}
+
+#[test]
+fn sets_too_large() {
+    let half = 1 << 31;
+    for [m, n] in [[65_536, 65_536], [u32::MAX, 2], [2, half], [half, 2], [u32::MAX, u32::MAX]] {
+        let message = format!("a grid of {m} x {n} points; accepted: at most 4294967295 points");
+        assert_eq!(grids(m, n), [0; 4].map(|_| message.clone()));
+        assert_eq!(Jittered::new(m, n, 0), Err(Error::SetTooLarge { columns: m, rows: n }));
+    }
+}
+
+#[test]
+fn the_largest_and_the_smallest_sets() {
+    for [m, n] in [[1, 1], [65_537, 65_535], [u32::MAX, 1], [1, u32::MAX], [2, u32::MAX / 2]] {
+        assert_eq!(grids(m, n), [0; 4].map(|_| "accepted"));
+    }
+    for count in [1, u32::MAX] {
+        assert_eq!(NRooks::new(count, 0).unwrap().size(), Some(count));
+        assert_eq!(Hammersley::new(count).unwrap().size(), Some(count));
+    }
+    assert_eq!(Stored::new(&[[7, 8]]).unwrap().size(), Some(1));
+}
+
+/// No slice here is longer than 2^32 points; its message at least is what it should be.
+#[test]
+fn stored_too_long() {
+    let error = Error::StoredTooLong { len: 4_294_967_296 };
+    assert_eq!(
+        error.to_string(),
+        "a stored set of 4294967296 points; accepted: at most 4294967295"
+    );
+}
+
+#[test]
+fn the_catalogue() {
+    struct Sizes(Vec<Option<u32>>);
+    impl SequenceVisitor for Sizes {
+        fn visit<S: Sequence>(&mut self, _: &'static str, sequence: S) {
+            self.0.push(sequence.size());
+        }
+    }
+    let mut sizes = Sizes(Vec::new());
+    let message = "a grid of 0 x 0 points; accepted: at least 1 x 1";
+    assert_eq!(refused(sequences(0, 7, &mut sizes)), message);
+    assert_eq!(sizes.0, [], "nothing is visited");
+    for count in (1..=1000).chain([65_535, 65_536, 65_537, 1 << 30, 4_294_836_225]) {
+        let [m, n] = grid(count);
+        assert!(m.checked_mul(n).is_some_and(|all| all >= count && all - count < m), "{count}");
+        assert_eq!(m, count.isqrt());
+        sizes.0.clear();
+        sequences(count, 7, &mut sizes).unwrap();
+        assert!(sizes.0.iter().flatten().all(|&size| size == m * n || size == count), "{count}");
+    }
+    // 65,535 x 65,537 is 2^32 - 1, so that no count is too large for its grid.
+    assert_eq!(grid(u32::MAX), [65_535, 65_537]);
+}

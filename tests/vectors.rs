@@ -1,0 +1,144 @@
+//! Sequences against sources other than this crate: the vectors of scipy in `tests/vectors/`, and the
+//! crate `sobol_burley`, whose constants Owen scrambling uses.
+
+#![allow(clippy::unwrap_used)] // a failed unwrap is a failed test
+
+use hemidisc::{
+    Domain,
+    bits::{
+        hash::{absorb, mix, words},
+        owen::{scramble, scramble_reversed},
+    },
+    sequence::{Halton, Hammersley, R2, Regular, Sobol, SobolOwen},
+};
+use sobol_burley::parts::{owen_scramble_rev, sobol_rev};
+
+/// The rows of a file of `tests/vectors/`, in which the first column is the index.
+fn rows(file: &str, columns: &str, radix: u32) -> Vec<Vec<u64>> {
+    let path = format!("{}/tests/vectors/{file}", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap();
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some(columns), "{path}");
+    let rows: Vec<Vec<u64>> = lines
+        .map(|line| {
+            let (index, values) = line.split_once(',').unwrap();
+            let values = values.split(',').map(|value| u64::from_str_radix(value, radix).unwrap());
+            [index.parse().unwrap()].into_iter().chain(values).collect()
+        })
+        .collect();
+    let indices = rows.iter().map(|row| row[0]);
+    assert!(indices.eq(0..1024), "{path}: not the first 1,024 points in order");
+    rows
+}
+
+#[test]
+fn sobol_is_that_of_scipy() {
+    for row in rows("sobol.csv", "index,u_hex,v_hex", 16) {
+        let point = Sobol::new(0).at(row[0] as u32).map(u64::from);
+        assert_eq!(point[..], row[1..], "point {}", row[0]);
+    }
+}
+
+/// A coordinate is ceil(2^32 x) of the exact x.
+#[test]
+fn halton_is_that_of_scipy() {
+    for row in rows("halton.csv", "index,u_num,u_den,v_num,v_den", 10) {
+        let point = Halton::new().at(row[0] as u32);
+        for (axis, fraction) in row[1..].chunks(2).enumerate() {
+            let expected = (u128::from(fraction[0]) << 32).div_ceil(u128::from(fraction[1]));
+            assert_eq!(u128::from(point[axis]), expected, "point {}, axis {axis}", row[0]);
+        }
+    }
+}
+
+/// Hammersley's v is Halton's u, the radical inverse in base 2; its u is i / N, rounded up.
+#[test]
+fn hammersley_is_the_radical_inverse() {
+    for row in rows("halton.csv", "index,u_num,u_den,v_num,v_den", 10) {
+        let inverse = (row[1] << 32) / row[2];
+        for count in [1024, 1025, 10_007] {
+            let [u, v] = Hammersley::new(count).unwrap().at(row[0] as u32);
+            let fraction = (row[0] << 32).div_ceil(u64::from(count));
+            assert_eq!([u, v].map(u64::from), [fraction, inverse], "point {} of {count}", row[0]);
+        }
+    }
+}
+
+/// The steps are 2^32 / g and 2^32 / g^2 for g^3 = g + 1, rounded; the second one to an odd integer.
+#[test]
+fn r2_steps_on_the_plastic_number() {
+    let g = (0..100).fold(1.5_f64, |g, _| (g + 1.0).cbrt());
+    let exact = [1.0 / g, 1.0 / (g * g)].map(|step| step * 4_294_967_296.0);
+    let steps = R2::new(0).at(0).map(f64::from);
+    assert!((steps[0] - exact[0]).abs() <= 0.5, "{steps:?}, exactly {exact:?}");
+    assert!((steps[1] - exact[1]).abs() <= 1.0, "{steps:?}, exactly {exact:?}");
+    assert_eq!(R2::new(0).at(1), R2::new(0).at(0).map(|step| step.wrapping_mul(2)));
+}
+
+/// Values worked by hand from DESIGN.md: centres of 2 x 2 and of 3 x 1 cells.
+#[test]
+fn regular_centres() {
+    let quarters = [[1_u32, 1], [3, 1], [1, 3], [3, 3]].map(|point| point.map(|k| k << 30));
+    let square = Regular::new(2, 2).unwrap();
+    assert_eq!([0, 1, 2, 3].map(|i| square.at(i)), quarters);
+    let row = Regular::new(3, 1).unwrap();
+    // 2^32 / 6, 2^32 / 2 and 5 2^32 / 6, rounded down.
+    assert_eq!([0, 1, 2].map(|i| row.at(i)[0]), [715_827_882, 1 << 31, 3_579_139_413]);
+}
+
+/// `sobol_burley` has points below index 2^16 only.
+#[test]
+fn sobol_is_that_of_sobol_burley() {
+    for index in 0..1_u32 << 16 {
+        let point =
+            [0, 1].map(|dimension| sobol_rev(index.reverse_bits(), dimension).reverse_bits());
+        assert_eq!(Sobol::new(0).at(index), point, "point {index}");
+    }
+}
+
+#[test]
+fn owen_scrambling_is_that_of_sobol_burley() {
+    let check = |x, seed| {
+        let expected = owen_scramble_rev(x, seed);
+        assert_eq!(scramble_reversed(x, seed), expected, "{x:#x} with seed {seed:#x}");
+        assert_eq!(scramble(x.reverse_bits(), seed), expected.reverse_bits());
+    };
+    let edges = (0..32).flat_map(|bit| [1 << bit, (1_u32 << bit) - 1, !(1 << bit)]);
+    let edges: Vec<u32> = edges.chain([0, u32::MAX]).collect();
+    for (&x, &seed) in edges.iter().flat_map(|x| edges.iter().map(move |seed| (x, seed))) {
+        check(x, seed);
+    }
+    for i in 0..1_000_000 {
+        check(mix(i), mix(!i));
+    }
+}
+
+/// A domain's three keys, worked from the documented hashes: order, u, v.
+fn keys(seed: u32) -> [u32; 3] {
+    let [a, b] = absorb([0x6865_6d69, 0x6469_7363], seed);
+    words([b, a], 0x6b65_7973)
+}
+
+/// Owen-scrambled Sobol is `sobol_burley`'s parts put together: shuffle the index, take the point,
+/// scramble each axis, with the keys of the seed's domain.
+#[test]
+fn sobol_owen_is_made_of_the_same_parts() {
+    let mut compared = 0;
+    for seed in (0..200).chain([1 << 16, 1 << 31, u32::MAX]) {
+        let [order, u, v] = keys(seed);
+        let points = SobolOwen::new(seed);
+        assert_eq!(points, SobolOwen::in_domain(Domain::new(seed)));
+        // The shuffle takes aligned blocks of 2^16 to aligned blocks: find the one with the indices
+        // below 2^16, the only ones that `sobol_burley` has points for.
+        let shuffled = |index: u32| owen_scramble_rev(index.reverse_bits(), order);
+        let block = (0..1 << 16).find(|block| shuffled(block << 16) & 0xffff == 0).unwrap() << 16;
+        for index in (block..=block + 0xffff).step_by(61) {
+            let expected = [(0, u), (1, v)].map(|(dimension, key)| {
+                owen_scramble_rev(sobol_rev(shuffled(index), dimension), key).reverse_bits()
+            });
+            assert_eq!(points.at(index), expected, "point {index}, seed {seed}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 200_000);
+}
