@@ -4,7 +4,6 @@
 //! says that the program is missing or stale.
 #![cfg(feature = "libm")]
 // The helpers are not `#[test]` functions, in which Clippy would allow these.
-#![allow(clippy::expect_used, clippy::panic)]
 
 #[path = "cli/arguments.rs"]
 mod arguments;

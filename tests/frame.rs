@@ -75,10 +75,7 @@ fn vectors_are_checked() {
         assert!(matches!(Frame::new(bad), Err(Error::NotUnit { .. })), "{bad:?}");
     }
     let error = Frame::new([0.0_f32, 2.0, 0.0]).unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "a vector with length squared 4; accepted: 1 within 16 ulp"
-    );
+    assert_eq!(error.to_string(), "a vector with length squared 4; accepted: 1 within 16 ulp");
     for bad in [[0.0_f32; 3], [f32::NAN, 0.0, 1.0], [f32::INFINITY, 0.0, 0.0]] {
         assert_eq!(Frame::normalized::<LibmF32>(bad), Err(Error::NoDirection), "{bad:?}");
     }

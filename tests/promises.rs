@@ -13,8 +13,6 @@
 //!
 //! Stratum c of n holds the cells k with floor(k n / 2^32) = c.
 
-#![allow(clippy::unwrap_used)] // a failed unwrap is a failed test
-
 #[path = "promises/access.rs"]
 mod access;
 #[path = "statistics/chi_square.rs"]

@@ -10,7 +10,6 @@
 //!
 //! Cells and integrals are worked in f64 from the formulas, not from the crate's code.
 #![cfg(feature = "libm")]
-#![allow(clippy::unwrap_used)] // a failed unwrap is a failed test
 
 #[path = "statistics/cases.rs"]
 mod cases;

@@ -1,8 +1,6 @@
 //! Sequences against sources other than this crate: the vectors of scipy in `tests/vectors/`, and the
 //! crate `sobol_burley`, whose constants Owen scrambling uses.
 
-#![allow(clippy::unwrap_used)] // a failed unwrap is a failed test
-
 use hemidisc::{
     Domain,
     bits::{
