@@ -3,7 +3,6 @@
 //! `cargo test` builds the examples first; `cargo test --test cli` alone does not, and then a test
 //! says that the program is missing or stale.
 #![cfg(feature = "libm")]
-// The helpers are not `#[test]` functions, in which Clippy would allow these.
 
 #[path = "cli/arguments.rs"]
 mod arguments;
