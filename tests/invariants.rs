@@ -118,6 +118,12 @@ fn sequences_with_a_fault_are_found_out() {
     assert_eq!(invariant::net(&sobol, 1024, 8, marks), Ok(()));
     // Not a multiple of 2^8: no net is promised there, and none is found.
     assert!(invariant::net(&sobol, 1025, 8, marks).is_err());
+    // Rooks alone pass the two extreme shapes and fail one between.
+    let only_rooks = NRooks::new(256, 1).unwrap();
+    assert_eq!(invariant::rooks(&only_rooks, 0, 256, marks), Ok(()));
+    let found = invariant::net(&only_rooks, 0, 8, marks);
+    assert!(matches!(found, Err(Violation::Stratum { grid: [2..=128, 2..=128], .. })), "{found:?}");
+    assert!(matches!(invariant::net(&sobol, 0, 32, marks), Err(Violation::NoRoom { .. })));
     // One coordinate moved by a 2^-8 of the axis.
     let [u, v] = sobol.at(1030);
     let moved = Replaced { sequence: sobol, index: 1030, point: [u, v ^ 1 << 24], in_blocks: true };

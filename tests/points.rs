@@ -103,7 +103,13 @@ fn check<S: Sequence, M: Map<Point: PartialEq + Debug>>(
     assert_eq!(folded, model.as_slice());
     let mut chunks = iter.as_points().chunks::<5>();
     let (exact, rest) = model.as_slice().as_chunks::<5>();
-    assert_eq!(chunks.len(), exact.len());
+    assert_eq!((chunks.len(), chunks.clone().count()), (exact.len(), exact.len()));
+    assert_eq!(chunks.clone().last(), exact.last().copied());
+    for skip in [0, 1, 7, exact.len(), exact.len() + 1] {
+        let mut from = chunks.clone();
+        assert_eq!(from.nth(skip), exact.get(skip).copied());
+        assert!(from.eq(exact.iter().skip(skip + 1).copied()));
+    }
     assert!(chunks.by_ref().eq(exact.iter().copied()));
     assert!(chunks.remainder().iter().eq(rest.iter().copied()));
     // Fused at both ends.

@@ -96,6 +96,26 @@ mod tests {
         }
     }
 
+    /// The two doubles on either side of sqrt(1 - a^2); sometimes the square of the outer one exceeds
+    /// 1 - a^2 by less than one unit of 2^-106, and only its last bits tell.
+    #[test]
+    fn the_last_bits_count() {
+        let mut within_a_unit = 0;
+        for k in 1..4000_u128 {
+            let whole = (1 << 53) - k;
+            let room = (1_u128 << 106) - whole * whole;
+            // b = m 2^-s with m of 53 bits; m^2 and room 2^shift are in the same unit.
+            let shift = (room.leading_zeros() - 22) & !1;
+            let edge = (room << shift).isqrt();
+            let scale = 0.5_f64.powi((shift as i32 + 106) / 2);
+            let a = whole as f64 * 0.5_f64.powi(53);
+            assert!(in_unit_disc([a, edge as f64 * scale]), "{k}");
+            assert!(!in_unit_disc([a, (edge + 1) as f64 * scale]), "{k}");
+            within_a_unit += u32::from((edge + 1) * (edge + 1) >> shift == room);
+        }
+        assert_eq!(within_a_unit, 10);
+    }
+
     #[test]
     fn not_numbers_are_outside() {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
