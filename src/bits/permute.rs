@@ -26,9 +26,8 @@ const SHORT: u32 = 8;
 
 /// The place of `index` in the permutation of 0..`len` that `seed` selects.
 ///
-/// Takes 12 rounds of two hashes each (log2(len) + 4 above 256), or one hash and up to 7 swaps for
-/// `len` <= 8. An `index` that
-/// is not below `len` is returned as it is.
+/// Takes 12 rounds of two hashes each (log2(len) + 4 above 256), or two hashes and up to 7 swaps for
+/// `len` <= 8. An `index` that is not below `len` is returned as it is.
 ///
 /// ```
 /// use hemidisc::bits::permute::permute;
@@ -52,7 +51,8 @@ const fn swapped_or_not(index: u32, len: u32, seed: u32) -> u32 {
     let mut state = seed;
     let mut left = rounds(len);
     while left > 0 {
-        state = mix(state.wrapping_add(0x9e37_79b9));
+        // The number of the round, or a seed would repeat one key, and each round undo the last.
+        state = mix(state.wrapping_add(0x9e37_79b9) ^ left);
         let key = ((state as u64 * len as u64) >> 32) as u32;
         let partner = if key >= x { key - x } else { len - (x - key) };
         let upper = if x > partner { x } else { partner };
@@ -68,7 +68,7 @@ const fn shuffled(index: u32, len: u32, seed: u32) -> u32 {
     const BITS: u32 = 28;
     let mut places = 0x7654_3210_u32;
     // A fraction of 28 bits; its digits in the mixed radix len, len - 1, ... pick what to swap.
-    let mut fraction = mix(seed.wrapping_add(0x9e37_79b9)) >> (32 - BITS);
+    let mut fraction = mix(mix(seed.wrapping_add(0x9e37_79b9))) >> (32 - BITS);
     let mut left = len;
     while left > 1 {
         fraction *= left;

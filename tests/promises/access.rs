@@ -82,6 +82,7 @@ fn stored() {
         assert_eq!(stored.size(), Some(count as u32));
         assert!((0..count).all(|i| stored.at(i as u32) == points[i]), "{what}");
         assert_access(stored, &what);
+        assert_wraps(stored, &what);
         assert_access(Shuffled::new(stored, Domain::new(1)), &format!("shuffled {what}"));
     }
 }

@@ -60,6 +60,18 @@ fn sobol_owen() {
     }
 }
 
+/// Blocks longer than 2^16, where the upper half of the index takes part.
+#[test]
+fn long_blocks() {
+    for start in [0, 0xfff8_0000] {
+        let points = |at: &dyn Fn(u32) -> [u32; 2]| (0..1 << 19).map(|i| at(start + i)).collect();
+        let sobol: Vec<_> = points(&|i| Sobol::new(7).at(i));
+        assert_net(&sobol, &format!("sobol, 2^19 from {start}"));
+        let scrambled: Vec<_> = points(&|i| SobolOwen::new(7).at(i));
+        assert_net(&scrambled, &format!("sobol-owen, 2^19 from {start}"));
+    }
+}
+
 #[test]
 fn hammersley() {
     for m in 0..=16 {
@@ -96,11 +108,11 @@ fn halton_runs() {
 /// cells each) rounding up to a cell may cross an edge for an index from 3^20 on.
 #[test]
 fn halton_digits() {
-    fn mirrored(mut index: u32, base: u32, digits: u32) -> u32 {
+    fn mirrored(mut index: u32, digits: u32) -> u64 {
         (0..digits).fold(0, |mirror, _| {
-            let digit = index % base;
-            index /= base;
-            mirror * base + digit
+            let digit = index % 3;
+            index /= 3;
+            mirror * 3 + u64::from(digit)
         })
     }
     let edges = (0..=20).flat_map(|b| [3_u32.pow(b) - 1, 3_u32.pow(b), u32::MAX - 3_u32.pow(b)]);
@@ -108,12 +120,13 @@ fn halton_digits() {
     for index in edges.chain(ends).chain((0..100_000).map(mix)) {
         let [u, v] = Halton::new().at(index);
         assert_eq!(u, index.reverse_bits());
-        for b in 0..=19 {
-            let interval = mirrored(index, 3, b);
-            assert_eq!(stratum(v, 3_u32.pow(b)), interval, "point {index} in 3^{b} rows");
-        }
-        if index < 3_u32.pow(20) {
-            assert_eq!(stratum(v, 3_u32.pow(20)), mirrored(index, 3, 20), "point {index}");
+        // Rounded up to a cell from all 21 digits.
+        let exact = (u128::from(mirrored(index, 21)) << 32).div_ceil(3_u128.pow(21));
+        assert_eq!(u128::from(v), exact, "point {index}");
+        let last = if index < 3_u32.pow(20) { 20 } else { 19 };
+        for b in 0..=last {
+            let interval = u64::from(stratum(v, 3_u32.pow(b)));
+            assert_eq!(interval, mirrored(index, b), "point {index} in 3^{b} rows");
         }
     }
 }
