@@ -6,18 +6,23 @@
 #[cfg(test)]
 extern crate std;
 
-mod error;
+// In the order of a point's journey.
+pub mod domain;
+pub mod sequence;
 mod square;
 
+pub mod map;
+
 pub mod arithmetic;
+
+pub mod frame;
+pub mod points;
+
+// What the journey stands on, and what it promises.
 pub mod bits;
 pub mod catalogue;
-pub mod domain;
-pub mod frame;
+mod error;
 pub mod invariant;
-pub mod map;
-pub mod points;
-pub mod sequence;
 
 #[cfg(feature = "libm")]
 pub use arithmetic::{LibmF32, LibmF64};

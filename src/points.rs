@@ -11,6 +11,12 @@ use crate::map::Map;
 use crate::sequence::{BLOCK, Sequence};
 use core::iter::FusedIterator;
 
+mod chunks;
+mod iter;
+
+pub use chunks::Chunks;
+pub use iter::Iter;
+
 #[cfg(target_pointer_width = "16")]
 compile_error!("hemidisc counts points in u32 and needs a usize of at least 32 bits");
 
@@ -262,139 +268,3 @@ impl<S: Sequence, M: Map> IntoIterator for &Points<S, M> {
         self.iter()
     }
 }
-
-/// An iterator over points: exact-size, double-ended, fused, with O(1) `nth` from both ends.
-#[derive(Clone, Debug)]
-pub struct Iter<S, M> {
-    points: Points<S, M>,
-}
-
-impl<S: Sequence, M: Map> Iter<S, M> {
-    /// The points that are left.
-    pub const fn as_points(&self) -> Points<S, M> {
-        self.points
-    }
-
-    /// Drops `count` points from the front; empties the iterator if there are not as many.
-    #[inline]
-    fn drop_front(&mut self, count: usize) {
-        let count = count.min(self.points.len as usize) as u32;
-        self.points.start = self.points.start.wrapping_add(count);
-        self.points.len -= count;
-    }
-}
-
-impl<S: Sequence, M: Map> Iterator for Iter<S, M> {
-    type Item = M::Point;
-
-    #[inline]
-    fn next(&mut self) -> Option<M::Point> {
-        let point = self.points.get(0)?;
-        self.drop_front(1);
-        Some(point)
-    }
-
-    #[inline]
-    fn nth(&mut self, n: usize) -> Option<M::Point> {
-        self.drop_front(n);
-        self.next()
-    }
-
-    #[inline]
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        let len = self.points.len as usize;
-        (len, Some(len))
-    }
-
-    #[inline]
-    fn count(self) -> usize {
-        self.points.len as usize
-    }
-
-    #[inline]
-    fn last(mut self) -> Option<M::Point> {
-        self.next_back()
-    }
-
-    #[inline]
-    fn fold<B, F: FnMut(B, M::Point) -> B>(self, init: B, mut f: F) -> B {
-        let Points { sequence, map, start, len } = self.points;
-        let coordinates = sequence.iter(start).take(len as usize);
-        coordinates.fold(init, |sum, uv| f(sum, map.sample(uv)))
-    }
-}
-
-impl<S: Sequence, M: Map> DoubleEndedIterator for Iter<S, M> {
-    #[inline]
-    fn next_back(&mut self) -> Option<M::Point> {
-        let last = self.points.len.checked_sub(1)?;
-        let point = self.points.get(last)?;
-        self.points.len = last;
-        Some(point)
-    }
-
-    #[inline]
-    fn nth_back(&mut self, n: usize) -> Option<M::Point> {
-        self.points.len -= n.min(self.points.len as usize) as u32;
-        self.next_back()
-    }
-}
-
-impl<S: Sequence, M: Map> ExactSizeIterator for Iter<S, M> {}
-impl<S: Sequence, M: Map> FusedIterator for Iter<S, M> {}
-
-/// An iterator over arrays of `N` consecutive points.
-#[derive(Clone, Debug)]
-pub struct Chunks<S, M, const N: usize> {
-    points: Points<S, M>,
-}
-
-impl<S: Sequence, M: Map, const N: usize> Chunks<S, M, N> {
-    const SIZE: u32 = {
-        assert!(N > 0 && N as u64 <= u32::MAX as u64, "a chunk has at least one point");
-        N as u32
-    };
-
-    /// The points not yet given; once the iterator has ended, fewer than `N`.
-    pub const fn remainder(&self) -> Points<S, M> {
-        self.points
-    }
-}
-
-impl<S: Sequence, M: Map, const N: usize> Iterator for Chunks<S, M, N> {
-    type Item = [M::Point; N];
-
-    #[inline]
-    fn next(&mut self) -> Option<[M::Point; N]> {
-        let (chunk, rest) = self.points.split_at(Self::SIZE).ok()?;
-        self.points = rest;
-        chunk.to_array().ok()
-    }
-
-    #[inline]
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        let len = (self.points.len / Self::SIZE) as usize;
-        (len, Some(len))
-    }
-
-    #[inline]
-    fn nth(&mut self, n: usize) -> Option<[M::Point; N]> {
-        let skipped = n.min(self.len()) as u32 * Self::SIZE;
-        let (_, rest) = self.points.split_at(skipped).ok()?;
-        self.points = rest;
-        self.next()
-    }
-
-    #[inline]
-    fn count(self) -> usize {
-        self.len()
-    }
-
-    #[inline]
-    fn last(mut self) -> Option<[M::Point; N]> {
-        self.nth(self.len().checked_sub(1)?)
-    }
-}
-
-impl<S: Sequence, M: Map, const N: usize> ExactSizeIterator for Chunks<S, M, N> {}
-impl<S: Sequence, M: Map, const N: usize> FusedIterator for Chunks<S, M, N> {}

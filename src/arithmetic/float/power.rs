@@ -1,0 +1,97 @@
+//! The power lobe: the exponent, the lift, its inverse and its density.
+
+use super::disc::{FloatDisc, length_squared, lowered, scaled, unit};
+use super::{Float, Real};
+use crate::error::Error;
+
+/// An exponent e > -1 with what the power lobe needs of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PowerExponent<R> {
+    e: R,
+    e_plus_1: R,
+    /// What rounding has taken from e + 1, relative to it.
+    lost: R,
+    /// sqrt(2 / (e + 1)): the scale of sin theta at the pole.
+    spread: R,
+}
+
+impl<R: Real> PowerExponent<R> {
+    /// # Errors
+    /// [`Error::Exponent`] for a value that is not a finite number above -1.
+    pub(super) fn new<T: Float<Real = R>>(e: R) -> Result<Self, Error> {
+        let e_plus_1 = e + R::ONE;
+        // No e above -1 rounds to e + 1 = 0; NaN fails the comparison.
+        if !(e_plus_1 > R::ZERO && e.finite()) {
+            return Err(Error::Exponent { value: e.into() });
+        }
+        // The two-sum (D. Knuth, TAOCP 4.2.2): e_plus_1 + lost is e + 1 exactly.
+        let one_part = e_plus_1 - e;
+        let lost = (e - (e_plus_1 - one_part)) + (R::ONE - one_part);
+        Ok(Self { e, e_plus_1, lost: lost / e_plus_1, spread: T::sqrt(R::TWO / e_plus_1) })
+    }
+
+    /// The exponent as the user gave it.
+    pub fn value(self) -> R {
+        self.e
+    }
+}
+
+/// ln z of a direction times e + 1, that is ln(1 - r^2) of its disc point: from z near the horizon,
+/// from x and y near the pole, where z has rounded to 1.
+#[inline]
+fn log_rim<T: Float>(exponent: PowerExponent<T::Real>, [x, y, z]: [T::Real; 3]) -> T::Real {
+    let s2 = length_squared(x, y);
+    if s2 <= T::Real::HALF {
+        // ln z = ln(1 - s^2) / 2 = -g s^2 / 2; scaled first, for s^2 may underflow where s does not.
+        let scaled = length_squared(x / exponent.spread, y / exponent.spread);
+        let g = if s2 < T::Real::EPSILON { T::Real::ONE } else { T::ln_1p(-s2) / -s2 };
+        -(scaled * g)
+    } else {
+        let z = if z > T::Real::MIN_POSITIVE { unit(z) } else { T::Real::MIN_POSITIVE };
+        exponent.e_plus_1 * T::ln(z)
+    }
+}
+
+#[inline]
+pub(super) fn lift<T: Float>(
+    exponent: PowerExponent<T::Real>,
+    disc: FloatDisc<T::Real>,
+) -> [T::Real; 3] {
+    let log = if disc.r2 < T::Real::HALF { T::ln_1p(-disc.r2) } else { T::ln(disc.rim) };
+    let log_z = log / exponent.e_plus_1;
+    let z = T::exp(log_z);
+    // What e + 1 has lost would cost |ln z| eps: exp(l / (1 + d)) is exp(l) (1 - l d).
+    let z = z - z * (log_z * exponent.lost);
+    // Below e = 0 the true z leaves the range of the type in the last cells.
+    let z = if z < T::Real::MIN_POSITIVE { T::Real::MIN_POSITIVE } else { z };
+    let q = -T::Real::TWO * log_z;
+    let sin =
+        if q > T::Real::TINY { T::sqrt(-T::exp_m1(-q)) } else { exponent.spread * T::sqrt(-log) };
+    let [x, y] = scaled::<T>(disc.direction, sin);
+    [x, y, z]
+}
+
+#[inline]
+pub(super) fn lower<T: Float>(
+    exponent: PowerExponent<T::Real>,
+    [x, y, z]: [T::Real; 3],
+) -> FloatDisc<T::Real> {
+    let log = log_rim::<T>(exponent, [x, y, z]);
+    lowered::<T>([x, y], -T::exp_m1(log), T::exp(log))
+}
+
+#[inline]
+pub(super) fn density<T: Float>(
+    exponent: PowerExponent<T::Real>,
+    direction: [T::Real; 3],
+) -> T::Real {
+    let [x, y, z] = direction;
+    let above = z > T::Real::ZERO && length_squared(x, y).finite();
+    if !above {
+        return T::Real::ZERO;
+    }
+    // e ln z = e / (e + 1) ln(1 - r^2), which stays moderate for any e: at most -ln MIN_POSITIVE
+    // for e < 0, so the density does not overflow.
+    let log = exponent.e / exponent.e_plus_1 * log_rim::<T>(exponent, direction);
+    exponent.e_plus_1 * (T::Real::FRAC_1_PI * T::Real::HALF) * T::exp(log)
+}

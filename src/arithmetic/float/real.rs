@@ -1,0 +1,155 @@
+//! f32 and f64 as the kernels see them: constants, conversions from integers, and exact tests.
+
+use crate::square::{centre_f32, centre_f64};
+use core::fmt::{Debug, Display};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::str::FromStr;
+
+/// f32 or f64: what the kernels need of a float besides arithmetic. Sealed.
+pub trait Real:
+    Copy
+    + Debug
+    + Default
+    + PartialOrd
+    + Send
+    + Sync
+    + 'static
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Into<f64>
+    + FromStr<Err: Display>
+    + sealed::Sealed
+{
+    #[doc(hidden)]
+    const ZERO: Self;
+    #[doc(hidden)]
+    const HALF: Self;
+    #[doc(hidden)]
+    const ONE: Self;
+    #[doc(hidden)]
+    const TWO: Self;
+    #[doc(hidden)]
+    const FOUR: Self;
+    #[doc(hidden)]
+    const EPSILON: Self;
+    #[doc(hidden)]
+    const MIN_POSITIVE: Self;
+    /// Far above the smallest normal number, far below 1.
+    #[doc(hidden)]
+    const TINY: Self;
+    #[doc(hidden)]
+    const FRAC_PI_4: Self;
+    #[doc(hidden)]
+    const FRAC_4_PI: Self;
+    #[doc(hidden)]
+    const FRAC_1_PI: Self;
+    /// n / 2^32, correctly rounded.
+    #[doc(hidden)]
+    fn over_2_32(n: u32) -> Self;
+    /// n / 2^64, correctly rounded.
+    #[doc(hidden)]
+    fn over_2_64(n: u64) -> Self;
+    /// (2k + 1) / 2^33, correctly rounded.
+    #[doc(hidden)]
+    fn centre(k: u32) -> Self;
+    /// (2k + 1) / 2^33, toward zero.
+    #[doc(hidden)]
+    fn centre_down(k: u32) -> Self;
+    /// floor(2^bits x), saturating at 0 and 2^32 - 1; 0 for NaN.
+    #[doc(hidden)]
+    fn cell(self, bits: u32) -> u32;
+    #[doc(hidden)]
+    fn magnitude(self) -> Self;
+    #[doc(hidden)]
+    fn with_sign(self, sign: Self) -> Self;
+    #[doc(hidden)]
+    fn finite(self) -> bool;
+    /// The next number toward zero; for positive numbers.
+    #[doc(hidden)]
+    fn below(self) -> Self;
+    /// Whether a^2 + b^2 > 1, never wrong when true is due; 1/2 <= a <= 2, 0 <= b <= a.
+    #[doc(hidden)]
+    fn outside(a: Self, b: Self) -> bool;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+macro_rules! real {
+    ($float:ident, $bits:literal, $integer:ident, $fine:literal, $centre_down:ident) => {
+        impl Real for $float {
+            const ZERO: Self = 0.0;
+            const HALF: Self = 0.5;
+            const ONE: Self = 1.0;
+            const TWO: Self = 2.0;
+            const FOUR: Self = 4.0;
+            const EPSILON: Self = $float::EPSILON;
+            const MIN_POSITIVE: Self = $float::MIN_POSITIVE;
+            const TINY: Self = $float::MIN_POSITIVE * (1_u64 << 32) as $float;
+            const FRAC_PI_4: Self = core::$float::consts::FRAC_PI_4;
+            const FRAC_4_PI: Self = 4.0 * core::$float::consts::FRAC_1_PI;
+            const FRAC_1_PI: Self = core::$float::consts::FRAC_1_PI;
+
+            #[inline(always)]
+            fn over_2_32(n: u32) -> Self {
+                n as $float * (1.0 / 4_294_967_296.0)
+            }
+            #[inline(always)]
+            fn over_2_64(n: u64) -> Self {
+                n as $float * (1.0 / 18_446_744_073_709_551_616.0)
+            }
+            #[inline(always)]
+            fn centre(k: u32) -> Self {
+                (2 * u64::from(k) + 1) as $float * (1.0 / 8_589_934_592.0)
+            }
+            #[inline(always)]
+            fn centre_down(k: u32) -> Self {
+                $centre_down(k)
+            }
+            #[inline(always)]
+            fn cell(self, bits: u32) -> u32 {
+                (self * (1_u64 << bits) as $float) as u32
+            }
+            #[inline(always)]
+            fn magnitude(self) -> Self {
+                self.abs()
+            }
+            #[inline(always)]
+            fn with_sign(self, sign: Self) -> Self {
+                self.copysign(sign)
+            }
+            #[inline(always)]
+            fn finite(self) -> bool {
+                self.is_finite()
+            }
+            #[inline(always)]
+            fn below(self) -> Self {
+                Self::from_bits(self.to_bits() - 1)
+            }
+            /// `a` is a multiple of 2^-bits, so its square is exact in the integer; `b` is rounded
+            /// up to a multiple of 2^-fine, finer than a step of `a` can tell.
+            #[inline]
+            fn outside(a: Self, b: Self) -> bool {
+                const ONE: $integer = 1 << $bits;
+                const FINE: $float = (1_u64 << $fine) as $float;
+                let a = (a * ONE as $float) as $integer;
+                if a > ONE {
+                    return true;
+                }
+                let scaled = b * FINE;
+                let floor = scaled as $integer;
+                let b = floor + $integer::from((floor as $float) < scaled);
+                let room = ((ONE - a) * (ONE + a)) << (2 * ($fine - $bits));
+                b.checked_mul(b).is_none_or(|square| square > room)
+            }
+        }
+    };
+}
+real!(f32, 24, u64, 32, centre_f32);
+real!(f64, 53, u128, 63, centre_f64);
