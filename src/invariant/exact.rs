@@ -111,7 +111,7 @@ mod tests {
             let a = whole as f64 * 0.5_f64.powi(53);
             assert!(in_unit_disc([a, edge as f64 * scale]), "{k}");
             assert!(!in_unit_disc([a, (edge + 1) as f64 * scale]), "{k}");
-            within_a_unit += u32::from((edge + 1) * (edge + 1) >> shift == room);
+            within_a_unit += u32::from((edge + 1).pow(2) >> shift == room);
         }
         assert_eq!(within_a_unit, 10);
     }

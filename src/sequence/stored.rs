@@ -57,9 +57,10 @@ impl Sequence for Stored<'_> {
     fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
         let first = repeat(start, self.points.len() as u32) as usize;
         let from = self.points.get(first..).unwrap_or_default();
-        // A walk along the slice; what repeats after its end is looked up.
-        let after = looked_up(*self, start.wrapping_add(from.len() as u32));
-        from.iter().copied().chain(after)
+        // A walk along the slice, up to its end or that of the indices; the rest is looked up.
+        let indices = if start == 0 { usize::MAX } else { start.wrapping_neg() as usize };
+        let after = looked_up(*self, start.wrapping_add(from.len().min(indices) as u32));
+        from.iter().copied().take(indices).chain(after)
     }
 
     #[inline(always)]
