@@ -59,6 +59,23 @@ pub trait Map: Copy {
     }
 }
 
+/// The points of a block, stored a component at a time: LLVM vectorises a branchless kernel so, but
+/// not where the array is stored whole.
+#[inline(always)]
+fn by_component<R: Copy, const D: usize>(
+    sample: impl Fn([u32; 2]) -> [R; D],
+    u: &Block,
+    v: &Block,
+    out: &mut [[R; D]; BLOCK],
+) {
+    for (slot, (u, v)) in out.iter_mut().zip(u.iter().zip(v)) {
+        let point = sample([*u, *v]);
+        for (component, value) in slot.iter_mut().zip(point) {
+            *component = value;
+        }
+    }
+}
+
 /// A sample of two uniform words of a generator, u first: `rand`'s trait for every map.
 #[cfg(feature = "rand")]
 pub(crate) fn draw<M: Map, R: rand::Rng + ?Sized>(map: &M, rng: &mut R) -> M::Point {

@@ -42,6 +42,16 @@ macro_rules! disc_map {
                 A::store(A::$kernel::<false>(uv))
             }
 
+            #[inline(always)]
+            fn sample_block(
+                &self,
+                u: &crate::sequence::Block,
+                v: &crate::sequence::Block,
+                out: &mut [[A::Real; 2]; crate::sequence::BLOCK],
+            ) {
+                crate::map::by_component(|uv| self.sample(uv), u, v, out);
+            }
+
             #[inline]
             fn density(&self, point: [A::Real; 2]) -> A::Real {
                 A::disc_density(point)

@@ -11,11 +11,12 @@ pub use cosine::CosineLobe;
 pub use power::PowerLobe;
 pub use uniform::UniformLobe;
 
-use super::Map;
 use super::disc::{Concentric, DiscMap, Polar};
+use super::{Map, by_component};
 use crate::arithmetic::Arithmetic;
 use crate::error::Error;
 use crate::frame::{About, Frame};
+use crate::sequence::{BLOCK, Block};
 use core::marker::PhantomData;
 
 /// What lifts a point of the disc to a direction.
@@ -127,6 +128,11 @@ impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Map for Hemisphere<L, D> {
     #[inline(always)]
     fn sample(&self, uv: [u32; 2]) -> Self::Point {
         self.lobe.lift(self.disc.disc::<true>(uv))
+    }
+
+    #[inline(always)]
+    fn sample_block(&self, u: &Block, v: &Block, out: &mut [Self::Point; BLOCK]) {
+        by_component(|uv| self.sample(uv), u, v, out);
     }
 
     #[inline]

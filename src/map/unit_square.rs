@@ -1,7 +1,8 @@
 //! The unit square itself as a map: coordinates as numbers.
 
-use super::Map;
+use super::{Map, by_component};
 use crate::arithmetic::Arithmetic;
+use crate::sequence::{BLOCK, Block};
 use core::marker::PhantomData;
 
 /// The identity: coordinates as numbers in [0, 1), rounded toward zero.
@@ -22,6 +23,11 @@ impl<A: Arithmetic> Map for UnitSquare<A> {
     #[inline(always)]
     fn sample(&self, uv: [u32; 2]) -> [A::Real; 2] {
         A::square(uv)
+    }
+
+    #[inline(always)]
+    fn sample_block(&self, u: &Block, v: &Block, out: &mut [Self::Point; BLOCK]) {
+        by_component(|uv| self.sample(uv), u, v, out);
     }
 
     #[inline]
