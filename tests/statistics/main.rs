@@ -11,13 +11,8 @@
 //! Cells and integrals are worked in f64 from the formulas, not from the crate's code.
 #![cfg(feature = "libm")]
 
-#[path = "statistics/cases.rs"]
 mod cases;
-#[path = "statistics/cells.rs"]
 mod cells;
-#[path = "statistics/chi_square.rs"]
 mod chi_square;
-#[path = "statistics/density.rs"]
 mod density;
-#[path = "statistics/rejection.rs"]
 mod rejection;

@@ -13,19 +13,12 @@
 //!
 //! Stratum c of n holds the cells k with floor(k n / 2^32) = c.
 
-#[path = "promises/access.rs"]
 mod access;
-#[path = "statistics/chi_square.rs"]
+#[path = "../statistics/chi_square.rs"]
 mod chi_square;
-#[path = "promises/domains.rs"]
 mod domains;
-#[path = "promises/errors.rs"]
 mod errors;
-#[path = "promises/nets.rs"]
 mod nets;
-#[path = "promises/noise.rs"]
 mod noise;
-#[path = "promises/permutation.rs"]
 mod permutation;
-#[path = "promises/strata.rs"]
 mod strata;

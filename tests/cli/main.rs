@@ -4,11 +4,8 @@
 //! says that the program is missing or stale.
 #![cfg(feature = "libm")]
 
-#[path = "cli/arguments.rs"]
 mod arguments;
-#[path = "cli/coordinates.rs"]
 mod coordinates;
-#[path = "cli/maps.rs"]
 mod maps;
 
 use hemidisc::sequence::{Random, Sequence};
