@@ -8,7 +8,8 @@ use super::Sequence;
 
 /// The Halton sequence: radical inverses of the index in base 2 (u) and base 3 (v).
 ///
-/// Promise: any 2^a 3^b consecutive points hit each of the 2^a x 3^b elementary intervals once.
+/// Promise: any 2^a 3^b consecutive points hit each of the 2^a x 3^b elementary intervals once, for
+/// b <= 19. (3^20 intervals are as narrow as a cell, and rounding up to a cell may cross an edge.)
 /// Takes no seed. A point costs up to 20 divisions by 3.
 ///
 /// ```

@@ -9,7 +9,8 @@ use core::num::NonZeroU32;
 
 /// The centres of an m x n grid: column i mod m, row i / m.
 ///
-/// Promise: exactly one point in each of the m x n cells, at its centre. Takes no seed. A point
+/// Promise: exactly one point in each of the m x n cells, at its centre, for at most 2^31 columns and
+/// rows. (Above that a centre and the edge below it may be in one cell of the coordinate.) Takes no seed. A point
 /// costs two 64-bit divisions.
 ///
 /// ```
