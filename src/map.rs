@@ -35,7 +35,8 @@ pub trait Map: Copy {
     fn sample(&self, uv: [u32; 2]) -> Self::Point;
 
     /// The density of samples at a point: per unit of area on the square and the disc, per
-    /// steradian on the hemisphere; 0 outside. Positive and finite at every sampled point.
+    /// steradian on the hemisphere; 0 outside. Positive and finite at every sampled point, but for
+    /// one that a frame has turned ([`About`](crate::frame::About)).
     fn density(&self, point: Self::Point) -> Component<Self>;
 
     /// The point of a pair of coordinates and its density: what a weight f / p needs.
