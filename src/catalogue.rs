@@ -118,6 +118,14 @@ pub fn power_maps<A: Arithmetic>(
 /// The names of all arithmetics that a build with every feature has, in the order of visits.
 pub const ARITHMETICS: [&str; 2] = ["libm-f64", "libm-f32"];
 
+/// The names of the arithmetics that this build has, in the order of visits.
+pub const AVAILABLE_ARITHMETICS: &[&str] = &[
+    #[cfg(feature = "libm")]
+    "libm-f64",
+    #[cfg(feature = "libm")]
+    "libm-f32",
+];
+
 /// Visits every arithmetic whose feature is on.
 pub fn arithmetics(visitor: &mut impl ArithmeticVisitor) {
     #[cfg(feature = "libm")]

@@ -55,25 +55,25 @@ impl Domain {
 
     /// A well-mixed seed for a sequence that takes one.
     pub const fn seed(self) -> u32 {
-        self.hashed(0x7365_6564)[0]
+        self.hashed(*b"seed")[0]
     }
 
     /// A one-dimensional stream of this domain, independent of the points drawn in it: the choice
     /// of a light, the time in a shutter.
     pub const fn stream(self) -> Stream {
-        let [order, key, _] = self.hashed(0x7469_6d65);
+        let [order, key, _] = self.hashed(*b"time");
         Stream { order, key }
     }
 
     /// Three independent keys: for the order and for each axis.
     pub(crate) const fn keys(self) -> [u32; 3] {
-        self.hashed(0x6b65_7973)
+        self.hashed(*b"keys")
     }
 
     /// Hashes the state for a purpose; its words swap places, so that no purpose is a child's key.
-    const fn hashed(self, purpose: u32) -> [u32; 3] {
+    const fn hashed(self, purpose: [u8; 4]) -> [u32; 3] {
         let [a, b] = self.state;
-        words([b, a], purpose)
+        words([b, a], u32::from_be_bytes(purpose))
     }
 }
 

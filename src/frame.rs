@@ -6,7 +6,8 @@
 
 use crate::arithmetic::{Arithmetic, Float, Real};
 use crate::error::Error;
-use crate::map::Map;
+use crate::map::{Map, by_component};
+use crate::sequence::{BLOCK, Block};
 
 /// A right-handed orthonormal basis whose third axis is a given unit vector.
 ///
@@ -133,6 +134,11 @@ where
     #[inline]
     fn sample(&self, uv: [u32; 2]) -> [R; 3] {
         self.frame.to_world(self.map.sample(uv))
+    }
+
+    #[inline(always)]
+    fn sample_block(&self, u: &Block, v: &Block, out: &mut [[R; 3]; BLOCK]) {
+        by_component(|uv| self.sample(uv), u, v, out);
     }
 
     #[inline]

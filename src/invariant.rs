@@ -11,7 +11,7 @@
 
 use crate::arithmetic::Arithmetic;
 use crate::map::{Component, Map};
-use crate::sequence::Sequence;
+use crate::sequence::{BLOCK, Sequence};
 use core::fmt;
 
 mod digest;
@@ -214,8 +214,8 @@ where
 /// # Errors
 /// [`Violation::Inconsistent`].
 pub fn consistent<S: Sequence>(sequence: &S, start: u32) -> Result<(), Violation> {
-    let start = start & !63;
-    let (mut u, mut v) = ([0; 64], [0; 64]);
+    let start = start - start % BLOCK as u32;
+    let (mut u, mut v) = ([0; BLOCK], [0; BLOCK]);
     sequence.block(start, &mut u, &mut v);
     let block = u.into_iter().zip(v);
     for (offset, (block, iterated)) in (0..).zip(block.zip(sequence.iter(start))) {

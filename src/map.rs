@@ -63,7 +63,7 @@ pub trait Map: Copy {
 /// The points of a block, stored a component at a time: LLVM vectorises a branchless kernel so, but
 /// not where the array is stored whole.
 #[inline(always)]
-fn by_component<R: Copy, const D: usize>(
+pub(crate) fn by_component<R: Copy, const D: usize>(
     sample: impl Fn([u32; 2]) -> [R; D],
     u: &Block,
     v: &Block,

@@ -52,6 +52,14 @@ pub(crate) fn centre_f64(k: u32) -> f64 {
     (f64::from(k) + 0.5) * SCALE
 }
 
+/// The magnitude m of a coordinate about the centre, 2u - 1 = +-(2m + 1) / 2^32, and its sign: 0 or -1.
+#[inline(always)]
+pub(crate) const fn fold(k: u32) -> (u32, i32) {
+    let j = (k ^ 0x8000_0000).cast_signed();
+    let sign = j >> 31;
+    ((j ^ sign).cast_unsigned(), sign)
+}
+
 /// The cell of `value`; the multiplication by a power of two is exact, the cast rounds down.
 macro_rules! checked_cells {
     ($float:ty) => {

@@ -2,7 +2,8 @@
 #![cfg(feature = "libm")]
 
 use hemidisc::catalogue::{
-    ARITHMETICS, ArithmeticVisitor, SEQUENCES, SequenceVisitor, arithmetics, grid, sequences,
+    ARITHMETICS, AVAILABLE_ARITHMETICS, ArithmeticVisitor, SEQUENCES, SequenceVisitor, arithmetics,
+    grid, sequences,
 };
 use hemidisc::{Error, arithmetic::Arithmetic, sequence::Sequence};
 use std::collections::BTreeSet;
@@ -52,6 +53,7 @@ fn every_sequence_is_listed() {
 fn every_arithmetic_is_listed() {
     let mut names = Names(Vec::new());
     arithmetics(&mut names);
+    assert_eq!(names.0, AVAILABLE_ARITHMETICS);
     assert_eq!(names.0, ARITHMETICS);
     let machinery = ["contract", "float"];
     let listed = names.0.iter().map(|name| name.replace('-', "_"));

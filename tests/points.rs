@@ -7,7 +7,7 @@ use hemidisc::sequence::{
     Stored,
 };
 use hemidisc::{
-    Concentric, Cosine, Domain, Error, LibmF32, LibmF64, Map, Points, Polar, UnitSquare,
+    Concentric, Cosine, Domain, Error, Frame, LibmF32, LibmF64, Map, Points, Polar, UnitSquare,
 };
 use proptest::prelude::*;
 use std::fmt::Debug;
@@ -142,6 +142,8 @@ proptest! {
         check_range(Sobol::new(1), disc, start, &ops);
         check_range(SobolOwen::new(1), UnitSquare::<LibmF32>::new(), start, &ops);
         check_range(Random::new(1), cosine, start, &ops);
+        let turned = cosine.about(Frame::new([0.0, 0.6, 0.8]).unwrap());
+        check_range(Sobol::new(2), turned, start, &ops);
         check_range(R2::new(1), Polar::<LibmF32>::new(), start, &ops);
         check_range(Halton::new(), disc, start, &ops);
         let start = start % 400;

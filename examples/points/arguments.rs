@@ -7,7 +7,7 @@ use clap::builder::PossibleValuesParser;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, ValueEnum};
 use hemidisc::arithmetic::Arithmetic;
-use hemidisc::catalogue::{ARITHMETICS, ArithmeticVisitor, SEQUENCES, arithmetics};
+use hemidisc::catalogue::{ARITHMETICS, AVAILABLE_ARITHMETICS, SEQUENCES};
 use std::error::Error;
 use std::num::NonZeroU32;
 use std::str::FromStr;
@@ -59,7 +59,7 @@ pub(crate) struct Arguments {
         long,
         value_name = "NAME",
         default_value = "libm-f32",
-        help = format!("Number type and its functions; in this build: {}", available().join(", "))
+        help = format!("Number type and its functions; in this build: {}", AVAILABLE_ARITHMETICS.join(", "))
     )]
     pub(crate) arithmetic: String,
 
@@ -170,25 +170,12 @@ impl Arguments {
         } else {
             "is not an arithmetic"
         };
-        format!("--arithmetic: {name:?} {wrong}; accepted: {}", available().join(", "))
+        format!("--arithmetic: {name:?} {wrong}; accepted: {}", AVAILABLE_ARITHMETICS.join(", "))
     }
 }
 
 pub(crate) fn missing_exponent() -> String {
     format!("--exponent: missing, hemisphere-power needs it; accepted: {EXPONENT}")
-}
-
-/// The names of the arithmetics in this build.
-fn available() -> Vec<&'static str> {
-    struct Names(Vec<&'static str>);
-    impl ArithmeticVisitor for Names {
-        fn visit<A: Arithmetic>(&mut self) {
-            self.0.push(A::NAME);
-        }
-    }
-    let mut names = Names(Vec::new());
-    arithmetics(&mut names);
-    names.0
 }
 
 /// An error of the parser, which would take several lines, on one.
@@ -259,7 +246,7 @@ fn accepted(argument: &str) -> String {
         "count" => COUNT.to_owned(),
         "start" | "seed" => INDEX.to_owned(),
         "exponent" => EXPONENT.to_owned(),
-        "arithmetic" => available().join(", "),
+        "arithmetic" => AVAILABLE_ARITHMETICS.join(", "),
         _ => values.join(", "),
     }
 }

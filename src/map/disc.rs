@@ -13,9 +13,6 @@ use crate::arithmetic::Arithmetic;
 
 /// A one-to-one map onto the disc, which a lobe can lift to the hemisphere.
 pub trait DiscMap: Map {
-    /// Its name on command lines and in tables.
-    const NAME: &'static str;
-
     /// The point before rounding; with its r^2 and 1 - r^2 if `RIM`.
     fn disc<const RIM: bool>(&self, uv: [u32; 2]) -> <Self::Arithmetic as Arithmetic>::Disc;
 
@@ -25,7 +22,7 @@ pub trait DiscMap: Map {
 
 /// A disc map whose kernels are the arithmetic's functions of the same names.
 macro_rules! disc_map {
-    ($map:ident, $kernel:ident, $invert:ident, $name:literal) => {
+    ($map:ident, $kernel:ident, $invert:ident) => {
         impl<A> $map<A> {
             /// The map; it has no parameters.
             pub const fn new() -> Self {
@@ -64,8 +61,6 @@ macro_rules! disc_map {
         }
 
         impl<A: Arithmetic> DiscMap for $map<A> {
-            const NAME: &'static str = $name;
-
             #[inline(always)]
             fn disc<const RIM: bool>(&self, uv: [u32; 2]) -> A::Disc {
                 A::$kernel::<RIM>(uv)

@@ -2,9 +2,7 @@
 
 use super::{hard_pairs, hex, hexes, pair, points, points_of, same, square};
 use hemidisc::arithmetic::Arithmetic;
-use hemidisc::catalogue::{
-    ArithmeticVisitor, MapVisitor, SEQUENCES, arithmetics, maps, power_maps,
-};
+use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, MapVisitor, SEQUENCES, maps, power_maps};
 use hemidisc::{LibmF32, LibmF64, Map};
 
 /// The maps of the command line with what they need; those that keep every point.
@@ -20,19 +18,6 @@ const MAPS: [&str; 10] = [
     "hemisphere-power --exponent 50",
     "hemisphere-power --exponent 1e8",
 ];
-
-/// The arithmetics of this build.
-pub(super) fn names() -> Vec<&'static str> {
-    struct Names(Vec<&'static str>);
-    impl ArithmeticVisitor for Names {
-        fn visit<A: Arithmetic>(&mut self) {
-            self.0.push(A::NAME);
-        }
-    }
-    let mut names = Names(Vec::new());
-    arithmetics(&mut names);
-    names.0
-}
 
 /// A number as `--raw` prints it.
 trait Raw {
@@ -148,7 +133,9 @@ fn exact(decimal: &str, raw: &str) -> bool {
 
 #[test]
 fn decimals_read_back_exactly() {
-    for (arithmetic, map) in names().into_iter().flat_map(|name| MAPS.map(|map| (name, map))) {
+    for (arithmetic, map) in
+        AVAILABLE_ARITHMETICS.iter().flat_map(|&name| MAPS.map(|map| (name, map)))
+    {
         let arguments = format!("--arithmetic {arithmetic} --map {map} --density");
         let (header, decimals) = points_of(&hard_pairs(), &arguments).quiet();
         let (same_header, raws) = points_of(&hard_pairs(), &format!("{arguments} --raw")).quiet();
@@ -181,7 +168,7 @@ fn libm_f64_gives_every_coordinate_back() {
 
 #[test]
 fn the_square_is_not_rounded() {
-    for arithmetic in names() {
+    for arithmetic in AVAILABLE_ARITHMETICS {
         for raw in ["", " --raw"] {
             let arguments = format!("--map square --arithmetic {arithmetic}{raw}");
             let (header, rows) = points_of(&hard_pairs(), &arguments).quiet();

@@ -1,14 +1,7 @@
 //! The disc kernels: both maps, their inverses, and the rounding that stays inside.
 
 use super::{Float, Real};
-
-/// The magnitude m of a coordinate about the centre, 2u - 1 = +-(2m + 1) / 2^32, and its sign.
-#[inline(always)]
-fn fold(k: u32) -> (u32, i32) {
-    let j = (k ^ 0x8000_0000).cast_signed();
-    let sign = j >> 31;
-    ((j ^ sign).cast_unsigned(), sign)
-}
+use crate::square::fold;
 
 #[inline(always)]
 fn signed<R: Real>(magnitude: R, sign: i32) -> R {

@@ -18,4 +18,4 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Concentric<A>(PhantomData<A>);
 
-disc_map!(Concentric, concentric, invert_concentric, "concentric");
+disc_map!(Concentric, concentric, invert_concentric);

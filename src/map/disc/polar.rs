@@ -18,4 +18,4 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Polar<A>(PhantomData<A>);
 
-disc_map!(Polar, polar, invert_polar, "polar");
+disc_map!(Polar, polar, invert_polar);

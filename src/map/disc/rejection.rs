@@ -6,6 +6,7 @@
 
 use crate::arithmetic::Arithmetic;
 use crate::error::Error;
+use crate::square::fold;
 use core::iter::Take;
 use core::marker::PhantomData;
 use core::num::NonZeroU32;
@@ -38,7 +39,7 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Rejection<A, I> {
     where
         I: ExactSizeIterator,
     {
-        Self { candidates, limit: None, drawn: 0, kept: 0, arithmetic: PhantomData }
+        Self::with_limit(candidates, None)
     }
 
     /// Draws at most `limit` candidates for each point, from candidates that may never end.
@@ -51,21 +52,18 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Rejection<A, I> {
     /// [`Error::NoDraws`] for a limit of 0.
     pub fn bounded(candidates: I, limit: u32) -> Result<Self, Error> {
         match NonZeroU32::new(limit) {
-            Some(limit) => Ok(Self {
-                candidates,
-                limit: Some(limit),
-                drawn: 0,
-                kept: 0,
-                arithmetic: PhantomData,
-            }),
+            Some(limit) => Ok(Self::with_limit(candidates, Some(limit))),
             None => Err(Error::NoDraws),
         }
     }
 
     /// Draws `draws` candidates in all, from candidates that may never end.
     pub fn of_draws(candidates: I, draws: u32) -> Rejection<A, Take<I>> {
-        let candidates = candidates.take(draws as usize);
-        Rejection { candidates, limit: None, drawn: 0, kept: 0, arithmetic: PhantomData }
+        Rejection::with_limit(candidates.take(draws as usize), None)
+    }
+
+    const fn with_limit(candidates: I, limit: Option<NonZeroU32>) -> Self {
+        Self { candidates, limit, drawn: 0, kept: 0, arithmetic: PhantomData }
     }
 
     /// Candidates drawn so far.
@@ -84,9 +82,8 @@ impl<A: Arithmetic> Rejection<A> {
     #[inline]
     pub const fn inside([u, v]: [u32; 2]) -> bool {
         const fn square(k: u32) -> u64 {
-            let j = (k ^ 0x8000_0000).cast_signed();
-            let m = (j ^ (j >> 31)).cast_unsigned() as u64;
-            m * (m + 1)
+            let (m, _) = fold(k);
+            m as u64 * (m as u64 + 1)
         }
         square(u) + square(v) < 1 << 62
     }
