@@ -14,12 +14,16 @@ use core::fmt::{Debug, Display};
 use core::str::FromStr;
 
 pub mod contract;
+#[cfg(feature = "fixed-point")]
+mod fixed;
 pub(crate) mod float;
 #[cfg(feature = "libm")]
 mod libm_f32;
 #[cfg(feature = "libm")]
 mod libm_f64;
 
+#[cfg(feature = "fixed-point")]
+pub use fixed::{FixedExponent, Q15, Q31};
 pub use float::{Float, FloatDisc, PowerExponent, Real};
 #[cfg(feature = "libm")]
 pub use libm_f32::LibmF32;
@@ -37,6 +41,11 @@ pub use libm_f64::LibmF64;
 pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static {
     /// Its name on command lines and in tables.
     const NAME: &'static str;
+
+    /// Whether densities are per unit of area or of solid angle. Where a number type has no room for
+    /// that they are parts of the peak: 1 on the square, 1 / pi on the disc, 1 / (2 pi), 1 / pi and
+    /// (e + 1) / (2 pi) for the lobes.
+    const ABSOLUTE_DENSITY: bool;
 
     /// Whether filling a buffer by blocks of 64 points is faster than one by one. The bits are the
     /// same either way.
@@ -71,7 +80,8 @@ pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static
     /// Checks and prepares an exponent.
     ///
     /// # Errors
-    /// [`Error::Exponent`] for a value that is not a finite number above -1.
+    /// [`Error::Exponent`] for a value that is not a finite number above -1. In fixed point every value of
+    /// the type is valid.
     fn exponent(parameter: Self::Parameter) -> Result<Self::Exponent, Error>;
     /// Lifts to the cosine-power hemisphere: z = (1 - r^2)^(1 / (e + 1)).
     fn power(exponent: Self::Exponent, disc: Self::Disc) -> [Self::Real; 3];

@@ -90,6 +90,11 @@ pub enum Error {
         /// What was given (an `f32` widens to `f64` exactly).
         value: f64,
     },
+    /// An exponent that is not a number from 0 to below 2^32, which fixed point holds.
+    FixedExponent {
+        /// What was given; NaN for a text that is not a number.
+        value: f64,
+    },
     /// A vector that is not of unit length.
     NotUnit {
         /// The square of its length.
@@ -135,6 +140,9 @@ impl fmt::Display for Error {
             ),
             Self::Exponent { value } => {
                 write!(f, "exponent is {value}; accepted: a finite number above -1")
+            }
+            Self::FixedExponent { value } => {
+                write!(f, "exponent is {value}; accepted in fixed point: 0 <= e < 4294967296")
             }
             Self::NotUnit { length_squared } => write!(
                 f,

@@ -170,9 +170,12 @@ fn mirrored<R: Exact, const D: usize>(
     uv: [u32; 2],
 ) -> Result<(), Violation> {
     for axis in 0..D {
-        let expected = point[axis].exact();
-        let expected = if negated.contains(&axis) { -expected } else { expected };
-        if image[axis].exact().to_bits() != expected.to_bits() {
+        let same = if negated.contains(&axis) {
+            image[axis].mirrors(point[axis])
+        } else {
+            image[axis].exact().to_bits() == point[axis].exact().to_bits()
+        };
+        if !same {
             return Err(Violation::NotMirrored { uv });
         }
     }

@@ -26,6 +26,8 @@ pub mod invariant;
 
 #[cfg(feature = "libm")]
 pub use arithmetic::{LibmF32, LibmF64};
+#[cfg(feature = "fixed-point")]
+pub use arithmetic::{Q15, Q31};
 pub use domain::Domain;
 pub use error::{Axis, Error};
 pub use frame::Frame;

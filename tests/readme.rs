@@ -24,7 +24,7 @@ fn table() -> String {
         writeln!(
             text,
             "| `{}`, eps = {unit} | {} | {} | {} | {theta} | {z} | {} | {} |",
-            row.arithmetic, row.map, row.position, row.norm, row.density, row.inverse
+            row.arithmetic, row.map, row.position, row.norm, row.density[0], row.inverse
         )
         .unwrap();
     }

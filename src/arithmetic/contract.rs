@@ -11,18 +11,23 @@ pub struct Contract {
     pub arithmetic: &'static str,
     /// Name of the map: `disc`, or a lobe.
     pub map: &'static str,
-    /// What the bounds count: half an ulp of 1, 2^-24 for f32 and 2^-53 for f64.
+    /// What the bounds count: half an ulp of 1, 2^-24 for f32 and 2^-53 for f64; an LSB of fixed point.
     pub unit: f64,
+    /// Whether the errors of theta, z and density are relative: floats. Those of fixed point are
+    /// absolute, in radians and in parts of the lobe's peak.
+    pub relative: bool,
     /// Largest error of a component of the point.
     pub position: f64,
     /// Largest deviation of the point's norm from 1 (from r, on the disc).
     pub norm: f64,
-    /// Largest relative error of theta = atan2(hypot(x, y), z), for exponents in [0, 1e8].
+    /// Largest error of theta = atan2(hypot(x, y), z), for exponents in [0, 1e8].
     pub theta: f64,
-    /// Largest relative error of z: the first, plus the second times |ln z|; for exponents >= 0.
+    /// Largest relative error of z: the first, plus the second times |ln z|; for exponents >= 0. In fixed
+    /// point z is within `position`, and this is 0.
     pub z: [f64; 2],
-    /// Largest relative error of the density at a sampled point, for exponents in [0, 1e8].
-    pub density: f64,
+    /// Largest error of the density at a sampled point, for exponents in [0, 1e8]: the first, plus the
+    /// second times sqrt e, which is how fast a fixed-point direction loses sight of a narrow lobe.
+    pub density: [f64; 2],
     /// Largest distance between a point and the sample of its inverse, for exponents in [0, 1e8].
     pub inverse: f64,
 }
@@ -33,14 +38,14 @@ const EPS64: f64 = 1.0 / (1_u64 << 53) as f64;
 /// The contracts of every arithmetic. A disc has no theta and no z.
 #[rustfmt::skip]
 pub const CONTRACTS: [Contract; 8] = [
-    Contract { arithmetic: "libm-f64", map: "disc",    unit: EPS64, position: 2.25, norm: 2.0,  theta: 0.0,  z: [0.0, 0.0], density: 1.0, inverse: 0.0 },
-    Contract { arithmetic: "libm-f64", map: "uniform", unit: EPS64, position: 2.75, norm: 2.5,  theta: 3.0,  z: [1.0, 0.0], density: 1.0, inverse: 0.0 },
-    Contract { arithmetic: "libm-f64", map: "cosine",  unit: EPS64, position: 2.25, norm: 2.0,  theta: 2.75, z: [1.5, 0.0], density: 2.0, inverse: 0.0 },
-    Contract { arithmetic: "libm-f64", map: "power",   unit: EPS64, position: 2.5,  norm: 2.5,  theta: 4.0,  z: [3.0, 2.0], density: 240.0, inverse: 0.0 },
-    Contract { arithmetic: "libm-f32", map: "disc",    unit: EPS32, position: 2.75, norm: 2.25, theta: 0.0, z: [0.0, 0.0], density: 1.0, inverse: 4.0 },
-    Contract { arithmetic: "libm-f32", map: "uniform", unit: EPS32, position: 3.0,  norm: 2.5, theta: 3.5, z: [1.0, 0.0], density: 1.0, inverse: 5.0 },
-    Contract { arithmetic: "libm-f32", map: "cosine",  unit: EPS32, position: 2.75, norm: 2.25, theta: 3.25, z: [1.5, 0.0], density: 3.5, inverse: 5.0 },
-    Contract { arithmetic: "libm-f32", map: "power",   unit: EPS32, position: 2.75, norm: 2.25, theta: 4.5, z: [3.0, 2.0], density: 240.0, inverse: 6.0 },
+    Contract { arithmetic: "libm-f64", map: "disc",    unit: EPS64, relative: true, position: 2.25, norm: 2.0,  theta: 0.0,  z: [0.0, 0.0], density: [1.0, 0.0], inverse: 0.0 },
+    Contract { arithmetic: "libm-f64", map: "uniform", unit: EPS64, relative: true, position: 2.75, norm: 2.5,  theta: 3.0,  z: [1.0, 0.0], density: [1.0, 0.0], inverse: 0.0 },
+    Contract { arithmetic: "libm-f64", map: "cosine",  unit: EPS64, relative: true, position: 2.25, norm: 2.0,  theta: 2.75, z: [1.5, 0.0], density: [2.0, 0.0], inverse: 0.0 },
+    Contract { arithmetic: "libm-f64", map: "power",   unit: EPS64, relative: true, position: 2.5,  norm: 2.5,  theta: 4.0,  z: [3.0, 2.0], density: [240.0, 0.0], inverse: 0.0 },
+    Contract { arithmetic: "libm-f32", map: "disc",    unit: EPS32, relative: true, position: 2.75, norm: 2.25, theta: 0.0, z: [0.0, 0.0], density: [1.0, 0.0], inverse: 4.0 },
+    Contract { arithmetic: "libm-f32", map: "uniform", unit: EPS32, relative: true, position: 3.0,  norm: 2.5, theta: 3.5, z: [1.0, 0.0], density: [1.0, 0.0], inverse: 5.0 },
+    Contract { arithmetic: "libm-f32", map: "cosine",  unit: EPS32, relative: true, position: 2.75, norm: 2.25, theta: 3.25, z: [1.5, 0.0], density: [3.5, 0.0], inverse: 5.0 },
+    Contract { arithmetic: "libm-f32", map: "power",   unit: EPS32, relative: true, position: 2.75, norm: 2.25, theta: 4.5, z: [3.0, 2.0], density: [240.0, 0.0], inverse: 6.0 },
 ];
 
 /// The contract of a map in an arithmetic, by their names.

@@ -63,6 +63,7 @@ pub trait Float: Copy + Default + Debug + PartialEq + Send + Sync + 'static {
 
 impl<T: Float> Arithmetic for T {
     const NAME: &'static str = T::NAME;
+    const ABSOLUTE_DENSITY: bool = true;
     /// Blocks were faster on x86-64 for every sequence and map tried; on a microcontroller the arrays
     /// cost more than they save.
     const BLOCKED: bool = cfg!(not(any(target_arch = "arm", target_arch = "riscv32")));

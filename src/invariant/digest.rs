@@ -61,6 +61,20 @@ macro_rules! digestible {
 }
 digestible!(u32, f32, f64);
 
+#[cfg(feature = "fixed-point")]
+impl Digestible for crate::Q15 {
+    fn feed(self, digest: &mut Digest) {
+        digest.bytes(&self.to_bits().to_le_bytes());
+    }
+}
+
+#[cfg(feature = "fixed-point")]
+impl Digestible for crate::Q31 {
+    fn feed(self, digest: &mut Digest) {
+        digest.bytes(&self.to_bits().to_le_bytes());
+    }
+}
+
 impl<T: Digestible, const N: usize> Digestible for [T; N] {
     fn feed(self, digest: &mut Digest) {
         for value in self {

@@ -4,6 +4,11 @@
 pub trait Exact: Copy {
     /// The same value.
     fn exact(self) -> f64;
+
+    /// Whether another number is this one negated, bit for bit.
+    fn mirrors(self, other: Self) -> bool {
+        self.exact().to_bits() == (-other.exact()).to_bits()
+    }
 }
 
 impl Exact for f32 {
@@ -17,6 +22,24 @@ impl Exact for f64 {
         self
     }
 }
+
+/// Fixed point has one 0, so the bits of the doubles may differ where those of the numbers do not.
+#[cfg(feature = "fixed-point")]
+macro_rules! fixed {
+    ($($number:ident),*) => {$(
+        impl Exact for crate::$number {
+            fn exact(self) -> f64 {
+                self.to_f64()
+            }
+
+            fn mirrors(self, other: Self) -> bool {
+                self.to_bits().checked_neg() == Some(other.to_bits())
+            }
+        }
+    )*};
+}
+#[cfg(feature = "fixed-point")]
+fixed!(Q15, Q31);
 
 /// Whether x^2 + y^2 <= 1 in exact arithmetic; false for infinities and NaN.
 ///

@@ -145,7 +145,7 @@ impl Errors {
         check("norm", self.norm, c.norm);
         if theta {
             check("theta", self.theta, c.theta);
-            check("density", self.density, c.density);
+            check("density", self.density, c.density[0]);
             check("inverse", self.inverse, c.inverse);
         }
         if z {
@@ -166,7 +166,7 @@ impl Errors {
         check("theta", self.theta, contract.theta);
         check("z", self.z, contract.z[0]);
         check("slope of z", self.z_slope, contract.z[1]);
-        check("density", self.density, contract.density);
+        check("density", self.density, contract.density[0]);
         check("inverse", self.inverse, contract.inverse);
     }
 }

@@ -1,0 +1,165 @@
+//! Fixed point: the numbers of Q15 and Q31, and their exponents.
+//!
+//! A number is an integer count of LSBs of 2^-15 or 2^-31: the layout of I1F15 and I1F31 of the crate
+//! `fixed`, so bits pass between the two as they are. The range is [-1, 1 - LSB]; 1 is not in it, so what
+//! would round to 1 becomes 1 - LSB. The maps give no -1 either: every point has its mirror image.
+
+use crate::error::Error;
+use core::fmt;
+use core::str::FromStr;
+
+macro_rules! number {
+    ($(#[$doc:meta])* $number:ident, $bits:ident, $one:literal) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+        #[repr(transparent)]
+        pub struct $number($bits);
+
+        impl $number {
+            /// 0.
+            pub const ZERO: Self = Self(0);
+            /// The smallest step.
+            pub const LSB: Self = Self(1);
+            /// The largest number, 1 - LSB: what stands for 1.
+            pub const MAX: Self = Self($bits::MAX);
+
+            /// The number of a count of LSBs.
+            #[inline]
+            pub const fn from_bits(bits: $bits) -> Self {
+                Self(bits)
+            }
+
+            /// The count of LSBs.
+            #[inline]
+            pub const fn to_bits(self) -> $bits {
+                self.0
+            }
+
+            /// The same value, exactly.
+            #[inline]
+            pub const fn to_f64(self) -> f64 {
+                self.0 as f64 * (1.0 / $one)
+            }
+        }
+
+        impl From<$number> for f64 {
+            /// Exact.
+            #[inline]
+            fn from(number: $number) -> f64 {
+                number.to_f64()
+            }
+        }
+
+        impl core::ops::Neg for $number {
+            type Output = Self;
+
+            /// The mirror image; of -1, which no map gives, it is 1 - LSB.
+            #[inline]
+            fn neg(self) -> Self {
+                Self(self.0.saturating_neg())
+            }
+        }
+
+        /// The exact decimal value.
+        impl fmt::Display for $number {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                fmt::Display::fmt(&self.to_f64(), f)
+            }
+        }
+    };
+}
+
+number! {
+    /// Fixed point of 16 bits, and the arithmetic on it: a sign and 15 bits of fraction, as `fixed`'s I1F15.
+    Q15, i16, 32_768.0
+}
+number! {
+    /// Fixed point of 32 bits, and the arithmetic on it: a sign and 31 bits of fraction, as `fixed`'s I1F31.
+    Q31, i32, 2_147_483_648.0
+}
+
+impl Q15 {
+    /// The same value, exactly.
+    #[inline]
+    pub const fn to_f32(self) -> f32 {
+        self.0 as f32 * (1.0 / 32_768.0)
+    }
+}
+
+impl From<Q15> for f32 {
+    /// Exact.
+    #[inline]
+    fn from(number: Q15) -> f32 {
+        number.to_f32()
+    }
+}
+
+impl Q31 {
+    /// The nearest `f32` toward zero, so that a point of the disc stays on it.
+    #[inline]
+    pub const fn to_f32(self) -> f32 {
+        let magnitude = self.0.unsigned_abs();
+        // The bits below the top 24.
+        let below = 8_u32.saturating_sub(magnitude.leading_zeros());
+        let kept = magnitude >> below << below;
+        let value = kept as f32 * (1.0 / 2_147_483_648.0);
+        if self.0 < 0 { -value } else { value }
+    }
+}
+
+/// An exponent of the power lobe in fixed point: 0 <= e < 2^32 in steps of 2^-32.
+///
+/// ```
+/// use hemidisc::arithmetic::FixedExponent;
+/// assert_eq!(FixedExponent::from(10), FixedExponent::from_bits(10 << 32));
+/// assert_eq!(FixedExponent::try_from(0.5)?, FixedExponent::from_bits(1 << 31));
+/// assert!(FixedExponent::try_from(-0.5).is_err());
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FixedExponent(u64);
+
+impl FixedExponent {
+    /// The exponent of a count of 2^-32.
+    pub const fn from_bits(bits: u64) -> Self {
+        Self(bits)
+    }
+
+    /// The count of 2^-32.
+    pub const fn to_bits(self) -> u64 {
+        self.0
+    }
+}
+
+impl From<u32> for FixedExponent {
+    fn from(e: u32) -> Self {
+        Self(u64::from(e) << 32)
+    }
+}
+
+impl TryFrom<f64> for FixedExponent {
+    type Error = Error;
+
+    /// The nearest multiple of 2^-32.
+    ///
+    /// # Errors
+    /// [`Error::FixedExponent`] for a value that is not a number in [0, 2^32).
+    fn try_from(e: f64) -> Result<Self, Error> {
+        if (0.0..4_294_967_296.0).contains(&e) {
+            // The product is exact; from 2^52 on, where the sum is not, it is an integer already.
+            Ok(Self((e * 4_294_967_296.0 + 0.5) as u64))
+        } else {
+            Err(Error::FixedExponent { value: e })
+        }
+    }
+}
+
+impl FromStr for FixedExponent {
+    type Err = Error;
+
+    /// A decimal, rounded to the nearest multiple of 2^-32.
+    fn from_str(text: &str) -> Result<Self, Error> {
+        Self::try_from(text.parse().unwrap_or(f64::NAN))
+    }
+}
