@@ -23,7 +23,9 @@ mod libm_f32;
 mod libm_f64;
 
 #[cfg(feature = "fixed-point")]
-pub use fixed::{FixedExponent, Q15, Q31};
+pub use fixed::{FixedExponent, Q15, Q31};#[cfg(feature = "fixed-point")]
+mod q15;
+
 pub use float::{Float, FloatDisc, PowerExponent, Real};
 #[cfg(feature = "libm")]
 pub use libm_f32::LibmF32;

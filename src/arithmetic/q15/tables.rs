@@ -1,0 +1,185 @@
+//! The tables of Q15, computed when the crate is compiled; an image holds those that its maps read.
+//!
+//! Each is read with linear interpolation. A chord lies to one side of its curve, so every node is moved
+//! by half of the largest distance, f'' w^2 / 16 for a bucket of width w: what is left is that much to both
+//! sides.
+
+/// Cosine and sine of pi/4 t, by their series; for t in [0, 2].
+const fn octant(t: f64) -> [f64; 2] {
+    let angle = core::f64::consts::FRAC_PI_4 * t;
+    let (mut cos, mut sin, mut term) = (0.0, 0.0, 1.0);
+    let mut n = 0;
+    while n < 24 {
+        if n % 2 == 0 { cos += term } else { sin += term }
+        n += 1;
+        term *= angle / n as f64;
+        if n % 2 == 0 {
+            term = -term;
+        }
+    }
+    [cos, sin]
+}
+
+/// Square root by Newton's steps from above; for x in [0, 4].
+const fn sqrt(x: f64) -> f64 {
+    let mut root = 2.0;
+    let mut n = 0;
+    while n < 40 {
+        root = 0.5 * (root + x / root);
+        n += 1;
+    }
+    root
+}
+
+/// 2^-x by the series of exp; for x in [-1, 2].
+const fn exp2_neg(x: f64) -> f64 {
+    let (mut sum, mut term, mut n) = (0.0, 1.0, 0);
+    while n < 40 {
+        sum += term;
+        n += 1;
+        term *= -x * core::f64::consts::LN_2 / n as f64;
+    }
+    sum
+}
+
+/// log2 by the series 2 atanh((x - 1) / (x + 1)); for x in [1/2, 2].
+const fn log2(x: f64) -> f64 {
+    let s = (x - 1.0) / (x + 1.0);
+    let (mut sum, mut power, mut n) = (0.0, s, 1);
+    while n < 80 {
+        sum += power / n as f64;
+        power *= s * s;
+        n += 2;
+    }
+    2.0 * sum * core::f64::consts::LOG2_E
+}
+
+const fn round(x: f64) -> u16 {
+    // A cast saturates: what would be 2^16 is 2^16 - 1.
+    (x + 0.5) as u16
+}
+
+/// What a table holds.
+#[derive(Clone, Copy)]
+enum Function {
+    /// sqrt x.
+    Root,
+    /// 1 / sqrt(1/2 + x / 2).
+    InverseRoot,
+    /// log2(1 + x).
+    Log,
+    /// 2^-x.
+    Exp,
+    /// sqrt(-log2(1 - y) / y) of y = x / 2.
+    Pole,
+    /// sqrt((1 - 4^-x) / (2 ln 2 x)).
+    Bend,
+}
+
+const fn value(function: Function, x: f64) -> f64 {
+    // Where a quotient is 0/0 its neighbour stands in; the nodes are even closer to their limits.
+    let x0 = if x < 1e-6 && x > -1e-6 { 1e-6 } else { x };
+    match function {
+        Function::Root => sqrt(x),
+        Function::InverseRoot => 1.0 / sqrt(0.5 + 0.5 * x),
+        Function::Log => log2(1.0 + x),
+        Function::Exp => exp2_neg(x),
+        Function::Pole => sqrt(-log2(1.0 - 0.5 * x0) / (0.5 * x0)),
+        Function::Bend => {
+            sqrt((1.0 - exp2_neg(2.0 * x0)) / (2.0 * core::f64::consts::LN_2 * x0))
+        }
+    }
+}
+
+/// `N` nodes `step` apart from `start` on, in units of 1 / `scale`.
+const fn table<const N: usize>(function: Function, start: f64, step: f64, scale: f64) -> [u16; N] {
+    let mut nodes = [0; N];
+    let mut i = 0;
+    while i < N {
+        let x = start + i as f64 * step;
+        let here = value(function, x);
+        // f'' w^2 / 16 from the chord about the node, of half the width.
+        let bend = 0.5 * (value(function, x - 0.5 * step) + value(function, x + 0.5 * step)) - here;
+        nodes[i] = round((here - 0.5 * bend) * scale);
+        i += 1;
+    }
+    nodes
+}
+
+/// sqrt of x in [1/4, 1] by 256ths, in 2^-16.
+pub(super) const ROOT: [u16; 193] = table(Function::Root, 0.25, 1.0 / 256.0, 65_536.0);
+/// 1 / sqrt of x in [1/2, 1] by 256ths, in 2^-15.
+pub(super) const INVERSE_ROOT: [u16; 129] =
+    table(Function::InverseRoot, 0.0, 1.0 / 128.0, 32_768.0);
+/// log2 of x in [1, 2] by 64ths, in 2^-16.
+pub(super) const LOG: [u16; 65] = table(Function::Log, 0.0, 1.0 / 64.0, 65_536.0);
+/// 2^-x of x in [0, 1] by 64ths, in 2^-16.
+pub(super) const EXP: [u16; 65] = table(Function::Exp, 0.0, 1.0 / 64.0, 65_536.0);
+/// sqrt(-log2(1 - x) / x) of x in [0, 1/2] by 128ths, in 2^-15.
+pub(super) const POLE: [u16; 65] = table(Function::Pole, 0.0, 1.0 / 64.0, 32_768.0);
+/// sqrt((1 - 4^-x) / (2 ln 2 x)) of x in [0, 1] by 64ths, in 2^-16.
+pub(super) const BEND: [u16; 65] = table(Function::Bend, 0.0, 1.0 / 64.0, 65_536.0);
+
+/// Lines for a bucket of t: cos(pi/4 t) = a - b t and sin(pi/4 t) = c + d t, in 2^-15.
+#[derive(Clone, Copy)]
+pub(super) struct Lines {
+    pub(super) a: u16,
+    pub(super) b: u16,
+    pub(super) c: u16,
+    pub(super) d: u16,
+}
+
+/// Buckets of t; a crude quotient may point some beyond the last.
+pub(super) const BUCKETS: u32 = 128;
+
+/// How much smaller than 1 the circle of the lines is, so that no rounding leaves the disc: chosen as
+/// small as the exhaustive test lets it be.
+const INWARD: f64 = 0.5 / 32_768.0;
+
+/// The line of slope near `slope` that comes nearest to `height` at `centre`, in 2^-15: intercept and slope.
+/// Slopes a few units off tilt the line by nothing that counts but reach heights between units.
+const fn line(height: f64, slope: f64, centre: f64) -> [f64; 2] {
+    let (mut best, mut least) = ([0.0, 0.0], 1.0);
+    let nearest = (slope * 32_768.0) as i64;
+    let mut s = nearest - 24;
+    while s <= nearest + 24 {
+        let exact = height * 32_768.0 - s as f64 * centre;
+        let intercept = ((exact + 65_536.5) as i64 - 65_536) as f64;
+        let error = if intercept > exact { intercept - exact } else { exact - intercept };
+        if error < least {
+            (best, least) = ([intercept, s as f64], error);
+        }
+        s += 1;
+    }
+    best
+}
+
+pub(super) const LINES: [Lines; BUCKETS as usize + 4] = {
+    let mut lines = [Lines { a: 0, b: 0, c: 0, d: 0 }; BUCKETS as usize + 4];
+    let mut i = 0;
+    while i < lines.len() {
+        let bucket = if i < BUCKETS as usize { i } else { BUCKETS as usize - 1 };
+        let centre = (bucket as f64 + 0.5) / BUCKETS as f64;
+        let [cos, sin] = octant(centre);
+        let angle = core::f64::consts::FRAC_PI_4;
+        // Half of the distance of the chord from the curve, f'' w^2 / 16.
+        let width = angle / BUCKETS as f64;
+        let size = (1.0 - width * width / 16.0) * (1.0 - INWARD);
+        let [a, b] = line(cos * size, -angle * sin, centre);
+        let [c, d] = line(sin * size, angle * cos, centre);
+        lines[i] = Lines { a: a as u16, b: (-b) as u16, c: c as u16, d: d as u16 };
+        i += 1;
+    }
+    lines
+};
+
+/// 2^20 / (i + 1/2): reciprocals of the top 8 bits of a divisor.
+pub(super) const RECIPROCAL: [u16; 256] = {
+    let mut table = [0; 256];
+    let mut i = 16;
+    while i < 256 {
+        table[i] = round(1_048_576.0 / (i as f64 + 0.5));
+        i += 1;
+    }
+    table
+};
