@@ -8,12 +8,16 @@
 //! | --- | --- | --- | --- |
 //! | `LibmF32` | `libm` | `f32` | `libm`, correctly rounded or within 1 ulp, on any core |
 //! | `LibmF64` | `libm` | `f64` | the same in double precision |
+//! | [`FastF32`] | always | `f32` | its own polynomials, which become vector code |
 
 use crate::error::Error;
+use crate::map::DiscMap;
+use crate::sequence::{BLOCK, Block};
 use core::fmt::{Debug, Display};
 use core::str::FromStr;
 
 pub mod contract;
+mod fast_f32;
 #[cfg(feature = "fixed-point")]
 mod fixed;
 pub(crate) mod float;
@@ -22,6 +26,7 @@ mod libm_f32;
 #[cfg(feature = "libm")]
 mod libm_f64;
 
+pub use fast_f32::{FastDisc, FastExponent, FastF32};
 #[cfg(feature = "fixed-point")]
 pub use fixed::{FixedExponent, Q15, Q31};#[cfg(feature = "fixed-point")]
 mod q15;
@@ -87,6 +92,23 @@ pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static
     fn exponent(parameter: Self::Parameter) -> Result<Self::Exponent, Error>;
     /// Lifts to the cosine-power hemisphere: z = (1 - r^2)^(1 / (e + 1)).
     fn power(exponent: Self::Exponent, disc: Self::Disc) -> [Self::Real; 3];
+
+    /// [`power`](Self::power) over a block of points of a disc map; the same bits.
+    #[inline(always)]
+    fn power_block<D: DiscMap<Arithmetic = Self>>(
+        exponent: Self::Exponent,
+        disc: &D,
+        u: &Block,
+        v: &Block,
+        out: &mut [[Self::Real; 3]; BLOCK],
+    ) {
+        for (slot, (u, v)) in out.iter_mut().zip(u.iter().zip(v)) {
+            let [x, y, z] = Self::power(exponent, disc.disc::<true>([*u, *v]));
+            slot[0] = x;
+            slot[1] = y;
+            slot[2] = z;
+        }
+    }
 
     /// A stored point of the disc, for its inverse.
     fn load(point: [Self::Real; 2]) -> Self::Disc;

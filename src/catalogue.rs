@@ -116,7 +116,7 @@ pub fn power_maps<A: Arithmetic>(
 }
 
 /// The names of all arithmetics that a build with every feature has, in the order of visits.
-pub const ARITHMETICS: [&str; 2] = ["libm-f64", "libm-f32"];
+pub const ARITHMETICS: [&str; 3] = ["libm-f64", "libm-f32", "fast-f32"];
 
 /// The names of the arithmetics that this build has, in the order of visits.
 pub const AVAILABLE_ARITHMETICS: &[&str] = &[
@@ -124,6 +124,7 @@ pub const AVAILABLE_ARITHMETICS: &[&str] = &[
     "libm-f64",
     #[cfg(feature = "libm")]
     "libm-f32",
+    "fast-f32",
 ];
 
 /// Visits every arithmetic whose feature is on.
@@ -133,5 +134,5 @@ pub fn arithmetics(visitor: &mut impl ArithmeticVisitor) {
         visitor.visit::<crate::LibmF64>();
         visitor.visit::<crate::LibmF32>();
     }
-    let _ = visitor;
+    visitor.visit::<crate::FastF32>();
 }

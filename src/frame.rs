@@ -138,7 +138,7 @@ where
 
     #[inline(always)]
     fn sample_block(&self, u: &Block, v: &Block, out: &mut [[R; 3]; BLOCK]) {
-        by_component(|uv| self.sample(uv), u, v, out);
+        by_component(self, u, v, out);
     }
 
     #[inline]

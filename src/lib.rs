@@ -24,6 +24,7 @@ pub mod catalogue;
 mod error;
 pub mod invariant;
 
+pub use arithmetic::FastF32;
 #[cfg(feature = "libm")]
 pub use arithmetic::{LibmF32, LibmF64};
 #[cfg(feature = "fixed-point")]

@@ -61,16 +61,16 @@ pub trait Map: Copy {
 }
 
 /// The points of a block, stored a component at a time: LLVM vectorises a branchless kernel so, but
-/// not where the array is stored whole.
+/// not where the array is stored whole, nor where a closure hides a long kernel from the inliner.
 #[inline(always)]
-pub(crate) fn by_component<R: Copy, const D: usize>(
-    sample: impl Fn([u32; 2]) -> [R; D],
+pub(crate) fn by_component<R: Copy, const D: usize, M: Map<Point = [R; D]>>(
+    map: &M,
     u: &Block,
     v: &Block,
     out: &mut [[R; D]; BLOCK],
 ) {
     for (slot, (u, v)) in out.iter_mut().zip(u.iter().zip(v)) {
-        let point = sample([*u, *v]);
+        let point = map.sample([*u, *v]);
         for (component, value) in slot.iter_mut().zip(point) {
             *component = value;
         }

@@ -37,7 +37,7 @@ const EPS64: f64 = 1.0 / (1_u64 << 53) as f64;
 
 /// The contracts of every arithmetic. A disc has no theta and no z.
 #[rustfmt::skip]
-pub const CONTRACTS: [Contract; 8] = [
+pub const CONTRACTS: [Contract; 12] = [
     Contract { arithmetic: "libm-f64", map: "disc",    unit: EPS64, relative: true, position: 2.25, norm: 2.0,  theta: 0.0,  z: [0.0, 0.0], density: [1.0, 0.0], inverse: 0.0 },
     Contract { arithmetic: "libm-f64", map: "uniform", unit: EPS64, relative: true, position: 2.75, norm: 2.5,  theta: 3.0,  z: [1.0, 0.0], density: [1.0, 0.0], inverse: 0.0 },
     Contract { arithmetic: "libm-f64", map: "cosine",  unit: EPS64, relative: true, position: 2.25, norm: 2.0,  theta: 2.75, z: [1.5, 0.0], density: [2.0, 0.0], inverse: 0.0 },
@@ -46,6 +46,10 @@ pub const CONTRACTS: [Contract; 8] = [
     Contract { arithmetic: "libm-f32", map: "uniform", unit: EPS32, relative: true, position: 3.0,  norm: 2.5, theta: 3.5, z: [1.0, 0.0], density: [1.0, 0.0], inverse: 5.0 },
     Contract { arithmetic: "libm-f32", map: "cosine",  unit: EPS32, relative: true, position: 2.75, norm: 2.25, theta: 3.25, z: [1.5, 0.0], density: [3.5, 0.0], inverse: 5.0 },
     Contract { arithmetic: "libm-f32", map: "power",   unit: EPS32, relative: true, position: 2.75, norm: 2.25, theta: 4.5, z: [3.0, 2.0], density: [240.0, 0.0], inverse: 6.0 },
+    Contract { arithmetic: "fast-f32", map: "disc",    unit: EPS32, relative: true, position: 3.0, norm: 3.25, theta: 0.0, z: [0.0, 0.0], density: [1.0, 0.0], inverse: 4.0 },
+    Contract { arithmetic: "fast-f32", map: "uniform", unit: EPS32, relative: true, position: 3.5, norm: 3.75, theta: 5.5, z: [3.5, 0.0], density: [1.0, 0.0], inverse: 5.0 },
+    Contract { arithmetic: "fast-f32", map: "cosine",  unit: EPS32, relative: true, position: 3.0, norm: 3.25, theta: 4.25, z: [3.0, 0.0], density: [5.0, 0.0], inverse: 5.0 },
+    Contract { arithmetic: "fast-f32", map: "power",   unit: EPS32, relative: true, position: 3.5, norm: 3.5, theta: 6.25, z: [5.0, 2.0], density: [180.0, 0.0], inverse: 6.0 },
 ];
 
 /// The contract of a map in an arithmetic, by their names.

@@ -33,7 +33,8 @@ pub use real::Real;
 use super::Arithmetic;
 use crate::error::Error;
 use core::fmt::Debug;
-use disc::{length_squared, lowered, scaled};
+pub(super) use disc::lowered;
+use disc::{length_squared, scaled};
 
 /// A library of elementary functions on one float type: seven functions give every map.
 ///

@@ -11,8 +11,8 @@ pub use cosine::CosineLobe;
 pub use power::PowerLobe;
 pub use uniform::UniformLobe;
 
+use super::Map;
 use super::disc::{Concentric, DiscMap, Polar};
-use super::{Map, by_component};
 use crate::arithmetic::Arithmetic;
 use crate::error::Error;
 use crate::frame::{About, Frame};
@@ -26,6 +26,23 @@ pub trait Lobe: Copy {
 
     /// The direction above a point of the disc.
     fn lift(&self, disc: <Self::Arithmetic as Arithmetic>::Disc) -> Direction<Self::Arithmetic>;
+
+    /// The directions above a block of points of a disc map; the same bits.
+    #[inline(always)]
+    fn lift_block<D: DiscMap<Arithmetic = Self::Arithmetic>>(
+        &self,
+        disc: &D,
+        u: &Block,
+        v: &Block,
+        out: &mut [Direction<Self::Arithmetic>; BLOCK],
+    ) {
+        for (slot, (u, v)) in out.iter_mut().zip(u.iter().zip(v)) {
+            let [x, y, z] = self.lift(disc.disc::<true>([*u, *v]));
+            slot[0] = x;
+            slot[1] = y;
+            slot[2] = z;
+        }
+    }
 
     /// The point of the disc below a direction, x and y up to a common factor.
     fn lower(
@@ -132,7 +149,7 @@ impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Map for Hemisphere<L, D> {
 
     #[inline(always)]
     fn sample_block(&self, u: &Block, v: &Block, out: &mut [Self::Point; BLOCK]) {
-        by_component(|uv| self.sample(uv), u, v, out);
+        self.lobe.lift_block(&self.disc, u, v, out);
     }
 
     #[inline]
@@ -159,7 +176,7 @@ impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>>
 
 /// A lobe whose kernels are the arithmetic's functions of the same names.
 macro_rules! lobe {
-    ($lobe:ident, $lift:ident, $lower:ident, $density:ident $(, $parameter:tt)?) => {
+    ($lobe:ident, $lift:ident, $lower:ident, $density:ident $(, $parameter:tt, $block:ident)?) => {
         impl<A: Arithmetic> Lobe for $lobe<A> {
             type Arithmetic = A;
 
@@ -167,6 +184,17 @@ macro_rules! lobe {
             fn lift(&self, disc: A::Disc) -> [A::Real; 3] {
                 A::$lift($(self.$parameter,)? disc)
             }
+
+            $(#[inline(always)]
+            fn lift_block<D: crate::map::DiscMap<Arithmetic = A>>(
+                &self,
+                disc: &D,
+                u: &crate::sequence::Block,
+                v: &crate::sequence::Block,
+                out: &mut [[A::Real; 3]; crate::sequence::BLOCK],
+            ) {
+                A::$block(self.$parameter, disc, u, v, out)
+            })?
 
             #[inline]
             fn lower(&self, direction: [A::Real; 3]) -> A::Disc {

@@ -27,7 +27,7 @@ impl<A: Arithmetic> Map for UnitSquare<A> {
 
     #[inline(always)]
     fn sample_block(&self, u: &Block, v: &Block, out: &mut [Self::Point; BLOCK]) {
-        by_component(|uv| self.sample(uv), u, v, out);
+        by_component(self, u, v, out);
     }
 
     #[inline]

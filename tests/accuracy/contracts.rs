@@ -6,7 +6,7 @@
 use crate::errors::{EachMap, Errors, Pair, Reference, each_map, each_power_map, hard_coordinates};
 use hemidisc::arithmetic::{Arithmetic, contract::CONTRACTS, contract::contract};
 use hemidisc::sequence::Random;
-use hemidisc::{LibmF32, Map, invariant::Exact};
+use hemidisc::{FastF32, LibmF32, Map, invariant::Exact};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
@@ -107,10 +107,19 @@ fn points() -> Vec<[u32; 2]> {
 const WITNESS: (f32, [u32; 2]) = (106.306_05, [0xc758_c963, 0xffff_fff9]);
 
 #[test]
-fn f32_contracts_hold_and_are_not_stale() {
+fn libm_f32_contracts_hold_and_are_not_stale() {
+    f32_contracts_hold_and_are_not_stale::<LibmF32>();
+}
+
+#[test]
+fn fast_f32_contracts_hold_and_are_not_stale() {
+    f32_contracts_hold_and_are_not_stale::<FastF32>();
+}
+
+fn f32_contracts_hold_and_are_not_stale<A: Arithmetic<Real = f32, Parameter = f32>>() {
     let points = points();
     let mut measure = Measure { points: &points, exponent: 0.0, found: HashMap::new() };
-    each_map::<LibmF32>(&mut measure);
+    each_map::<A>(&mut measure);
     // Exponents for which e + 1 rounds as badly as it can come first; then the usual; then any.
     let random = Random::new(9);
     let any = (0..60).map(|i| {
@@ -120,7 +129,7 @@ fn f32_contracts_hold_and_are_not_stale() {
     let witness = [WITNESS.1];
     measure.points = &witness;
     measure.exponent = WITNESS.0.into();
-    each_power_map::<LibmF32>(WITNESS.0, &mut measure);
+    each_power_map::<A>(WITNESS.0, &mut measure);
     let hard = [1.788_139_3e-7, 1.794_718_7e-4, 1e-3, 0.03, 0.1, 3.3, 1.0 / 3.0];
     let usual = [0.0, 0.5, 1.0, 10.0, 100.0, 1e4, 1e8];
     for (n, exponent) in hard.into_iter().chain(usual).chain(any).enumerate() {
@@ -129,11 +138,11 @@ fn f32_contracts_hold_and_are_not_stale() {
         let from = n * 7919 % (points.len() - size);
         measure.points = &points[from..from + size];
         measure.exponent = exponent.into();
-        each_power_map::<LibmF32>(exponent, &mut measure);
+        each_power_map::<A>(exponent, &mut measure);
     }
-    for contract in CONTRACTS.iter().filter(|row| row.arithmetic == "libm-f32") {
+    for contract in CONTRACTS.iter().filter(|row| row.arithmetic == A::NAME) {
         let found = measure.found[contract.map];
-        println!("libm-f32 {}: {found:.3?}", contract.map);
-        found.assert_not_stale(contract, &format!("libm-f32 {}", contract.map));
+        println!("{} {}: {found:.3?}", A::NAME, contract.map);
+        found.assert_not_stale(contract, &format!("{} {}", A::NAME, contract.map));
     }
 }

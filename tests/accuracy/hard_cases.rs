@@ -7,7 +7,7 @@ use hemidisc::arithmetic::{
     contract::{CONTRACTS, contract},
 };
 use hemidisc::invariant::{self, Exact};
-use hemidisc::{LibmF32, LibmF64, Map};
+use hemidisc::{FastF32, LibmF32, LibmF64, Map};
 use std::collections::{BTreeSet, HashMap};
 
 /// One line of the table.
@@ -103,6 +103,7 @@ fn every_hard_case_is_within_its_contract() {
     let mut check = Check { table: &table, exponent: "", cases: 0, found: HashMap::new() };
     each_map::<LibmF64>(&mut check);
     each_map::<LibmF32>(&mut check);
+    each_map::<FastF32>(&mut check);
     let exponents: BTreeSet<&str> =
         table.keys().map(|key| key.2.as_str()).filter(|bits| !bits.is_empty()).collect();
     assert_eq!(exponents.len(), 21);
@@ -113,13 +114,14 @@ fn every_hard_case_is_within_its_contract() {
         each_power_map::<LibmF64>(exponent, &mut check);
         if f64::from(exponent as f32) == exponent {
             each_power_map::<LibmF32>(exponent as f32, &mut check);
+            each_power_map::<FastF32>(exponent as f32, &mut check);
         } else {
             only_f64 +=
                 table.iter().filter(|(key, _)| key.2 == bits).map(|(_, c)| c.len()).sum::<usize>();
         }
     }
     let lines: usize = table.values().map(Vec::len).sum();
-    assert_eq!(check.cases, 2 * lines - only_f64, "a line was not tested in every arithmetic");
+    assert_eq!(check.cases, 3 * lines - 2 * only_f64, "a line was not tested in every arithmetic");
     for contract in CONTRACTS.iter().filter(|row| row.arithmetic == "libm-f64") {
         let found = check.found[&(contract.arithmetic, contract.map)];
         println!("libm-f64 {}: {found:.3?}", contract.map);

@@ -56,11 +56,11 @@ pub(super) fn invert_centred<R: Real>(point: [R; 2]) -> [u32; 2] {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloatDisc<R> {
     /// (cos phi, sin phi); up to a common factor where an inverse begins.
-    pub(super) direction: [R; 2],
+    pub(in crate::arithmetic) direction: [R; 2],
     pub(super) r: R,
-    pub(super) r2: R,
+    pub(in crate::arithmetic) r2: R,
     /// 1 - r^2.
-    pub(super) rim: R,
+    pub(in crate::arithmetic) rim: R,
 }
 
 #[inline(always)]
@@ -123,7 +123,7 @@ pub(super) fn unit<R: Real>(x: R) -> R {
 
 /// A point of the disc where an inverse begins.
 #[inline(always)]
-pub(super) fn lowered<T: Float>(
+pub(in crate::arithmetic) fn lowered<T: Float>(
     direction: [T::Real; 2],
     r2: T::Real,
     rim: T::Real,

@@ -1,0 +1,239 @@
+//! Fast f32: polynomials of its own, no branch, no library: a fill becomes vector code.
+//!
+//! **Octant.** Both disc maps fold to 0 <= phi <= pi/4, phi = pi/4 t. With q = t^2, x = r - r P(q) and
+//! y = r t - r t R(q), P = 1 - cos phi and R = 1 - sin phi / t: no angle, no sign logic, and since both are
+//! below 0.3 their own roundings count little. The concentric map has r t = n, the minor magnitude,
+//! without the error of the division t = n/m. The octant is put in its place by exclusive-or alone, so
+//! mirror images are equal bit for bit.
+//!
+//! **Coordinates.** A magnitude m < 2^31 is (m + 1/2) / 2^31, by a conversion from *signed* integers, which
+//! vector units have and round correctly. 1 - r is as accurate, from 2^31 - 1 - m, and
+//! 1 - r^2 = d (2 - d), d = 1 - r.
+//!
+//! **Inward.** Within 2 eps of the circle both components move one ulp toward zero. The test is four
+//! operations and the step two, on all points alike; a shrink of all points by as much would be as cheap
+//! and cost the accuracy of all of them.
+//!
+//! **Lobes.** sin theta is the root of r^2 (1 + (1 - r^2)) for the uniform lobe; the power lobe takes one
+//! logarithm and one exponential, from which z and 1 - z both come without cancellation.
+//!
+//! There is no fused multiply-add and no sum in another order: the bits are the same on SSE2, AVX-512,
+//! Arm and RISC-V. Everything up to the exponent is `const`.
+
+mod disc;
+mod functions;
+mod power;
+
+pub use disc::FastDisc;
+pub use power::FastExponent;
+
+use super::Arithmetic;
+use crate::error::Error;
+use crate::map::DiscMap;
+use crate::sequence::{BLOCK, Block};
+use functions::Functions;
+
+const NAME: &str = "fast-f32";
+
+/// `f32` with polynomials of its own: the fastest on a core with an FPU, in vectors above all.
+///
+/// Always there: it needs no feature. The bytes are the same on every target and never change within a
+/// major version of this crate. Errors are those of [`contract`](super::contract), a
+/// little above those of `libm` on f32.
+///
+/// ```
+/// use hemidisc::{Concentric, FastF32, Map};
+/// // At compile time as well.
+/// const POINT: [f32; 2] = FastF32::concentric([u32::MAX, 1 << 31]);
+/// assert_eq!(Concentric::<FastF32>::new().sample([u32::MAX, 1 << 31]), POINT);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FastF32;
+
+impl FastF32 {
+    /// The concentric map: what [`Concentric`](crate::Concentric) gives, as a `const fn`.
+    #[inline(always)]
+    pub const fn concentric(uv: [u32; 2]) -> [f32; 2] {
+        disc::concentric(uv).place()
+    }
+
+    /// The polar map: what [`Polar`](crate::Polar) gives, as a `const fn`.
+    #[inline(always)]
+    pub const fn polar(uv: [u32; 2]) -> [f32; 2] {
+        disc::polar(uv).place()
+    }
+
+    /// Square root of x in [0, MAX], which `core` does not have.
+    #[inline]
+    pub const fn sqrt(x: f32) -> f32 {
+        functions::sqrt(x)
+    }
+
+    /// The point at a distance in [0, 1] and at pi/4 t, t in [0, 1], from the x axis, for the tests.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub const fn octant(distance: f32, t: f32) -> [f32; 2] {
+        disc::FastDisc::octant(distance, t).place()
+    }
+
+    /// 1 - cos(pi/4 t) and 1 - sin(pi/4 t) / t from t^2, for the tests.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub const fn gaps(q: f32) -> [f32; 2] {
+        functions::gaps(q)
+    }
+
+    /// ln(1 - x) from x and 1 - x, for the tests.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub const fn ln_complement(x: f32, complement: f32) -> f32 {
+        functions::ln_complement(x, complement)
+    }
+
+    /// exp x and 1 - exp x for x in [-87.3, 88], for the tests.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub const fn exp(x: f32) -> [f32; 2] {
+        functions::exp(x, 0.0)
+    }
+
+    /// Arc tangent of x in [0, 1], for the tests.
+    #[doc(hidden)]
+    pub fn atan(x: f32) -> f32 {
+        <Functions as super::Float>::atan(x)
+    }
+}
+
+impl Arithmetic for FastF32 {
+    const NAME: &'static str = NAME;
+    const ABSOLUTE_DENSITY: bool = true;
+    const BLOCKED: bool = Functions::BLOCKED;
+
+    type Real = f32;
+    type Disc = FastDisc;
+    type Parameter = f32;
+    type Exponent = FastExponent;
+
+    #[inline(always)]
+    fn square(uv: [u32; 2]) -> [f32; 2] {
+        uv.map(disc::centre_down)
+    }
+
+    #[inline(always)]
+    fn centred(uv: [u32; 2]) -> [f32; 2] {
+        disc::centred(uv)
+    }
+
+    #[inline(always)]
+    fn concentric<const RIM: bool>(uv: [u32; 2]) -> FastDisc {
+        disc::concentric(uv)
+    }
+
+    #[inline(always)]
+    fn polar<const RIM: bool>(uv: [u32; 2]) -> FastDisc {
+        disc::polar(uv)
+    }
+
+    #[inline(always)]
+    fn store(disc: FastDisc) -> [f32; 2] {
+        disc.place()
+    }
+
+    /// sin^2 theta = 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)).
+    #[inline(always)]
+    fn uniform(disc: FastDisc) -> [f32; 3] {
+        let [x, y] = disc.place_at(disc::root_to_1(disc.r2 * (1.0 + disc.rim)));
+        [x, y, disc.rim]
+    }
+
+    #[inline(always)]
+    fn cosine(disc: FastDisc) -> [f32; 3] {
+        let [x, y] = disc.place();
+        [x, y, functions::normal_sqrt(disc.rim)]
+    }
+
+    fn exponent(e: f32) -> Result<FastExponent, Error> {
+        FastExponent::new(e)
+    }
+
+    #[inline(always)]
+    fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
+        power::lift(exponent, disc)
+    }
+
+    #[inline(always)]
+    fn power_block<D: DiscMap<Arithmetic = Self>>(
+        exponent: FastExponent,
+        disc: &D,
+        u: &Block,
+        v: &Block,
+        out: &mut [[f32; 3]; BLOCK],
+    ) {
+        power::lift_block(exponent, disc, u, v, out);
+    }
+
+    #[inline]
+    fn load(point: [f32; 2]) -> FastDisc {
+        Functions::load(point).into()
+    }
+
+    #[inline]
+    fn lower_uniform(direction: [f32; 3]) -> FastDisc {
+        Functions::lower_uniform(direction).into()
+    }
+
+    #[inline]
+    fn lower_cosine(direction: [f32; 3]) -> FastDisc {
+        Functions::lower_cosine(direction).into()
+    }
+
+    #[inline]
+    fn lower_power(exponent: FastExponent, direction: [f32; 3]) -> FastDisc {
+        Functions::lower_power(exponent.exact, direction).into()
+    }
+
+    #[inline]
+    fn invert_square(point: [f32; 2]) -> [u32; 2] {
+        Functions::invert_square(point)
+    }
+
+    #[inline]
+    fn invert_centred(point: [f32; 2]) -> [u32; 2] {
+        Functions::invert_centred(point)
+    }
+
+    #[inline]
+    fn invert_concentric(disc: FastDisc) -> [u32; 2] {
+        Functions::invert_concentric(disc.into())
+    }
+
+    #[inline]
+    fn invert_polar(disc: FastDisc) -> [u32; 2] {
+        Functions::invert_polar(disc.into())
+    }
+
+    #[inline]
+    fn square_density(point: [f32; 2]) -> f32 {
+        Functions::square_density(point)
+    }
+
+    #[inline]
+    fn disc_density(point: [f32; 2]) -> f32 {
+        Functions::disc_density(point)
+    }
+
+    #[inline]
+    fn uniform_density(direction: [f32; 3]) -> f32 {
+        Functions::uniform_density(direction)
+    }
+
+    #[inline]
+    fn cosine_density(direction: [f32; 3]) -> f32 {
+        Functions::cosine_density(direction)
+    }
+
+    #[inline]
+    fn power_density(exponent: FastExponent, direction: [f32; 3]) -> f32 {
+        Functions::power_density(exponent.exact, direction)
+    }
+}
