@@ -9,6 +9,9 @@
 //! | `LibmF32` | `libm` | `f32` | `libm`, correctly rounded or within 1 ulp, on any core |
 //! | `LibmF64` | `libm` | `f64` | the same in double precision |
 //! | [`FastF32`] | always | `f32` | its own polynomials, which become vector code |
+//! | `Q15` | `fixed-point` | `Q15` | integers alone: tables and 16-bit products, for small cores |
+//! | `Q15Div` | `fixed-point` | `Q15` | the same, with a division and no table in the concentric map |
+//! | `Q31` | `fixed-point` | `Q31` | integers alone: tables and short series, the same bytes on any core |
 
 use crate::error::Error;
 use crate::map::DiscMap;
@@ -25,17 +28,23 @@ pub(crate) mod float;
 mod libm_f32;
 #[cfg(feature = "libm")]
 mod libm_f64;
+#[cfg(feature = "fixed-point")]
+mod q15;
+#[cfg(feature = "fixed-point")]
+mod q31;
 
 pub use fast_f32::{FastDisc, FastExponent, FastF32};
 #[cfg(feature = "fixed-point")]
-pub use fixed::{FixedExponent, Q15, Q31};#[cfg(feature = "fixed-point")]
-mod q15;
-
+pub use fixed::{FixedExponent, Q15, Q31};
 pub use float::{Float, FloatDisc, PowerExponent, Real};
 #[cfg(feature = "libm")]
 pub use libm_f32::LibmF32;
 #[cfg(feature = "libm")]
 pub use libm_f64::LibmF64;
+#[cfg(feature = "fixed-point")]
+pub use q15::{Q15Disc, Q15Div, Q15Exponent};
+#[cfg(feature = "fixed-point")]
+pub use q31::{Q31Disc, Q31Exponent};
 
 /// A number type and the kernels of all maps on it.
 ///

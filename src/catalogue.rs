@@ -116,7 +116,7 @@ pub fn power_maps<A: Arithmetic>(
 }
 
 /// The names of all arithmetics that a build with every feature has, in the order of visits.
-pub const ARITHMETICS: [&str; 3] = ["libm-f64", "libm-f32", "fast-f32"];
+pub const ARITHMETICS: [&str; 6] = ["libm-f64", "libm-f32", "fast-f32", "q31", "q15", "q15-div"];
 
 /// The names of the arithmetics that this build has, in the order of visits.
 pub const AVAILABLE_ARITHMETICS: &[&str] = &[
@@ -125,6 +125,12 @@ pub const AVAILABLE_ARITHMETICS: &[&str] = &[
     #[cfg(feature = "libm")]
     "libm-f32",
     "fast-f32",
+    #[cfg(feature = "fixed-point")]
+    "q31",
+    #[cfg(feature = "fixed-point")]
+    "q15",
+    #[cfg(feature = "fixed-point")]
+    "q15-div",
 ];
 
 /// Visits every arithmetic whose feature is on.
@@ -135,4 +141,10 @@ pub fn arithmetics(visitor: &mut impl ArithmeticVisitor) {
         visitor.visit::<crate::LibmF32>();
     }
     visitor.visit::<crate::FastF32>();
+    #[cfg(feature = "fixed-point")]
+    {
+        visitor.visit::<crate::Q31>();
+        visitor.visit::<crate::Q15>();
+        visitor.visit::<crate::Q15Div>();
+    }
 }

@@ -28,7 +28,7 @@ pub use arithmetic::FastF32;
 #[cfg(feature = "libm")]
 pub use arithmetic::{LibmF32, LibmF64};
 #[cfg(feature = "fixed-point")]
-pub use arithmetic::{Q15, Q31};
+pub use arithmetic::{Q15, Q15Div, Q31};
 pub use domain::Domain;
 pub use error::{Axis, Error};
 pub use frame::Frame;

@@ -55,7 +55,7 @@ fn every_arithmetic_is_listed() {
     arithmetics(&mut names);
     assert_eq!(names.0, AVAILABLE_ARITHMETICS);
     assert_eq!(names.0, ARITHMETICS);
-    let machinery = ["contract", "float"];
+    let machinery = ["contract", "fixed", "float"];
     let listed = names.0.iter().map(|name| name.replace('-', "_"));
     let expected: BTreeSet<_> = listed.chain(machinery.map(String::from)).collect();
     assert_eq!(files("arithmetic"), expected);

@@ -26,7 +26,9 @@ pub struct Contract {
     /// point z is within `position`, and this is 0.
     pub z: [f64; 2],
     /// Largest error of the density at a sampled point, for exponents in [0, 1e8]: the first, plus the
-    /// second times sqrt e, which is how fast a fixed-point direction loses sight of a narrow lobe.
+    /// second times sqrt e, which is how fast a fixed-point direction loses sight of a narrow lobe. In fixed
+    /// point, for exponents 0, 1/2 and from 1: the nearer an exponent is to 0, the more of the density near
+    /// the horizon, z^e, hangs on the last bit of z.
     pub density: [f64; 2],
     /// Largest distance between a point and the sample of its inverse, for exponents in [0, 1e8].
     pub inverse: f64,
@@ -34,10 +36,12 @@ pub struct Contract {
 
 const EPS32: f64 = 1.0 / (1_u64 << 24) as f64;
 const EPS64: f64 = 1.0 / (1_u64 << 53) as f64;
+const LSB15: f64 = 1.0 / (1_u64 << 15) as f64;
+const LSB31: f64 = 1.0 / (1_u64 << 31) as f64;
 
 /// The contracts of every arithmetic. A disc has no theta and no z.
 #[rustfmt::skip]
-pub const CONTRACTS: [Contract; 12] = [
+pub const CONTRACTS: [Contract; 24] = [
     Contract { arithmetic: "libm-f64", map: "disc",    unit: EPS64, relative: true, position: 2.25, norm: 2.0,  theta: 0.0,  z: [0.0, 0.0], density: [1.0, 0.0], inverse: 0.0 },
     Contract { arithmetic: "libm-f64", map: "uniform", unit: EPS64, relative: true, position: 2.75, norm: 2.5,  theta: 3.0,  z: [1.0, 0.0], density: [1.0, 0.0], inverse: 0.0 },
     Contract { arithmetic: "libm-f64", map: "cosine",  unit: EPS64, relative: true, position: 2.25, norm: 2.0,  theta: 2.75, z: [1.5, 0.0], density: [2.0, 0.0], inverse: 0.0 },
@@ -50,6 +54,18 @@ pub const CONTRACTS: [Contract; 12] = [
     Contract { arithmetic: "fast-f32", map: "uniform", unit: EPS32, relative: true, position: 3.5, norm: 3.75, theta: 5.5, z: [3.5, 0.0], density: [1.0, 0.0], inverse: 5.0 },
     Contract { arithmetic: "fast-f32", map: "cosine",  unit: EPS32, relative: true, position: 3.0, norm: 3.25, theta: 4.25, z: [3.0, 0.0], density: [5.0, 0.0], inverse: 5.0 },
     Contract { arithmetic: "fast-f32", map: "power",   unit: EPS32, relative: true, position: 3.5, norm: 3.5, theta: 6.25, z: [5.0, 2.0], density: [180.0, 0.0], inverse: 6.0 },
+    Contract { arithmetic: "q31",      map: "disc",    unit: LSB31, relative: false, position: 4.5, norm: 4.5, theta: 0.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 5.5 },
+    Contract { arithmetic: "q31",      map: "uniform", unit: LSB31, relative: false, position: 6.25, norm: 6.25, theta: 4.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 7.0 },
+    Contract { arithmetic: "q31",      map: "cosine",  unit: LSB31, relative: false, position: 4.5, norm: 4.5, theta: 3.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 5.0 },
+    Contract { arithmetic: "q31",      map: "power",   unit: LSB31, relative: false, position: 6.25, norm: 6.25, theta: 4.0, z: [0.0, 0.0], density: [300.0, 0.55], inverse: 8.5 },
+    Contract { arithmetic: "q15", map: "disc", unit: LSB15, relative: false, position: 2.25, norm: 2.75, theta: 0.0, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 9.0 },
+    Contract { arithmetic: "q15", map: "uniform", unit: LSB15, relative: false, position: 4.0, norm: 4.5, theta: 2.75, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 9.0 },
+    Contract { arithmetic: "q15", map: "cosine", unit: LSB15, relative: false, position: 2.25, norm: 2.75, theta: 2.75, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 9.0 },
+    Contract { arithmetic: "q15", map: "power", unit: LSB15, relative: false, position: 5.0, norm: 4.5, theta: 4.0, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 9.0 },
+    Contract { arithmetic: "q15-div", map: "disc", unit: LSB15, relative: false, position: 2.25, norm: 2.75, theta: 0.0, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 9.0 },
+    Contract { arithmetic: "q15-div", map: "uniform", unit: LSB15, relative: false, position: 4.0, norm: 4.5, theta: 2.75, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 9.0 },
+    Contract { arithmetic: "q15-div", map: "cosine", unit: LSB15, relative: false, position: 2.25, norm: 2.75, theta: 2.75, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 9.0 },
+    Contract { arithmetic: "q15-div", map: "power", unit: LSB15, relative: false, position: 5.0, norm: 4.5, theta: 4.0, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 9.0 },
 ];
 
 /// The contract of a map in an arithmetic, by their names.

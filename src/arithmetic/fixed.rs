@@ -4,6 +4,11 @@
 //! `fixed`, so bits pass between the two as they are. The range is [-1, 1 - LSB]; 1 is not in it, so what
 //! would round to 1 becomes 1 - LSB. The maps give no -1 either: every point has its mirror image.
 
+pub(super) mod root;
+pub(super) mod rotation;
+pub(super) mod scaled;
+pub(super) mod wide;
+
 use crate::error::Error;
 use core::fmt;
 use core::str::FromStr;

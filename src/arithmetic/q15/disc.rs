@@ -8,6 +8,7 @@
 //!
 //! **Polar.** The angle within the octant is exact, and so is its bucket; r is a root from a table.
 
+use super::super::fixed::Q15;
 use super::tables::{LINES, RECIPROCAL, ROOT};
 
 /// A point of the disc before it is rounded.
@@ -22,6 +23,12 @@ pub struct Q15Disc {
 }
 
 impl Q15Disc {
+    /// The point, to the nearest LSB of each component.
+    #[inline(always)]
+    pub(super) const fn store(self) -> [Q15; 2] {
+        [rounded(self.magnitude[0], self.sign[0]), rounded(self.magnitude[1], self.sign[1])]
+    }
+
     /// 1 - r^2 in 2^-32, exactly.
     #[inline(always)]
     pub(in crate::arithmetic) const fn rim(self) -> u32 {
@@ -80,6 +87,9 @@ const fn turned(a: u32, b: u32) -> (u32, u32) {
     (x, y)
 }
 
+/// The largest radius of the polar map, in 2^-16.
+const RIM: u32 = 0xfffe;
+
 #[inline(always)]
 pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
     // u and !u are mirror images in the x axis: fold before rounding.
@@ -96,8 +106,12 @@ pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
     let cos = (((lines.a as u32) << 14) - t * lines.b as u32 + (1 << 12)) >> 13;
     let sin = (((lines.c as u32) << 14) + t * lines.d as u32 + (1 << 12)) >> 13;
     let r2 = (v >> 16 << 16) | 0x8000;
-    let r = root_of(r2);
-    let (x, y) = (cos * r >> 1, sin * r >> 1);
+    // The outermost circles have no room for what rounding adds: 1 LSB of radius is given up.
+    let r = match root_of(r2) {
+        r if r < RIM => r,
+        _ => RIM,
+    };
+    let (x, y) = ((cos * r) >> 1, (sin * r) >> 1);
     Q15Disc {
         magnitude: if steep { [y, x] } else { [x, y] },
         sign: [if left { -1 } else { 0 }, below],
@@ -116,11 +130,14 @@ pub(super) const fn root_of(x: u32) -> u32 {
     (root(x) + (1 << shift >> 1)) >> shift
 }
 
-const HALF: u32 = 0x8000;
-
-/// A component from its magnitude in 2^-31: to the nearest LSB, at most 1 - LSB.
+/// A number from its magnitude in LSBs, below 2^15, and its sign, 0 or -1.
 #[inline(always)]
-pub(super) const fn rounded(magnitude: u32, sign: i32) -> i16 {
-    let bits = ((magnitude + HALF) >> 16).cast_signed();
-    ((bits ^ sign) - sign) as i16
+pub(super) const fn signed(magnitude: u32, sign: i32) -> Q15 {
+    Q15::from_bits(((magnitude.cast_signed() ^ sign) - sign) as i16)
+}
+
+/// A number from its magnitude in 2^-31, to the nearest LSB, and its sign.
+#[inline(always)]
+pub(super) const fn rounded(magnitude: u32, sign: i32) -> Q15 {
+    signed((magnitude + 0x8000) >> 16, sign)
 }

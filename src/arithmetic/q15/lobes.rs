@@ -9,7 +9,8 @@
 //! (sin theta / r)^2 = (2 ln 2 / (e + 1)) l g: three factors without a singularity, whose roots are a prepared
 //! number and two tables. Where r^2 >= 1/2, sin theta comes from lambda and 1 / r from a table.
 
-use super::super::fixed::FixedExponent;
+use super::super::Q31Exponent;
+use super::super::fixed::{FixedExponent, Q15};
 use super::disc::{Q15Disc, interpolate, root, root_of, rounded};
 use super::tables::{BEND, EXP, INVERSE_ROOT, LOG, POLE};
 
@@ -23,6 +24,8 @@ pub struct Q15Exponent {
     /// sqrt(2 ln 2 / (e + 1)) = spread 2^-15 2^-spread_shift, 2^15 <= spread < 2^16.
     spread: u16,
     spread_shift: u8,
+    /// For the density and the inverse.
+    wide: Q31Exponent,
 }
 
 impl Q15Exponent {
@@ -36,7 +39,7 @@ impl Q15Exponent {
         let (spread, spread_shift) = normal((2 * TWICE_LN_2 * inverse as u128).isqrt() as u64);
         // A quotient of 2^-32 is 0 after 31 shifts as well.
         let shift = if shift < 31 { shift } else { 31 };
-        Self { e, scale, shift, spread, spread_shift: spread_shift - 16 }
+        Self { e, scale, shift, spread, spread_shift: spread_shift - 16, wide: Q31Exponent::new(e) }
     }
 
     /// The exponent as the user gave it.
@@ -44,11 +47,15 @@ impl Q15Exponent {
         self.e
     }
 
+    pub(super) const fn wide(self) -> Q31Exponent {
+        self.wide
+    }
+
     /// L / (e + 1), both in 2^-16; L < 2^21.
     #[inline(always)]
     const fn divide(self, log: u32) -> u32 {
         let scale = self.scale as u32;
-        (((log >> 16) * scale << 1) + (((log & 0xffff) * scale) >> 15)) >> self.shift
+        ((((log >> 16) * scale) << 1) + (((log & 0xffff) * scale) >> 15)) >> self.shift
     }
 }
 
@@ -61,15 +68,15 @@ const fn normal(x: u64) -> (u16, u8) {
 
 /// z from 2^-16: to the nearest LSB, from 1 LSB to 1 - LSB.
 #[inline(always)]
-const fn height(z: u32) -> i16 {
+const fn height(z: u32) -> Q15 {
     let z = (z + 1) >> 1;
-    (if z == 0 {
-        1
+    if z == 0 {
+        Q15::LSB
     } else if z > 0x7fff {
-        0x7fff
+        Q15::MAX
     } else {
-        z
-    }) as i16
+        Q15::from_bits(z as i16)
+    }
 }
 
 /// A component in 2^-16, rounded.
@@ -81,15 +88,15 @@ const fn halved(magnitude: u32) -> u32 {
 /// The disc point times a factor in 2^-15 2^-shift, and z. The product is below 2^32: the true one is at
 /// most 1 without a shift; with one r^2 < 1/2, and the factor is below 2 sqrt 2.
 #[inline(always)]
-const fn lifted(disc: Q15Disc, factor: u32, shift: u32, z: i16) -> [i16; 3] {
+const fn lifted(disc: Q15Disc, factor: u32, shift: u32, z: Q15) -> [Q15; 3] {
     let [x, y] = disc.magnitude;
-    let (x, y) = (halved(x) * factor >> shift, halved(y) * factor >> shift);
+    let (x, y) = ((halved(x) * factor) >> shift, (halved(y) * factor) >> shift);
     [rounded(x, disc.sign[0]), rounded(y, disc.sign[1]), z]
 }
 
 /// The direction of the disc point, by 1 / r in 2^-15, times sin theta = sine 2^-12 2^-shift < 1, and z.
 #[inline(always)]
-const fn turned(disc: Q15Disc, inverse: u32, sine: u32, shift: u32, z: i16) -> [i16; 3] {
+const fn turned(disc: Q15Disc, inverse: u32, sine: u32, shift: u32, z: Q15) -> [Q15; 3] {
     let [x, y] = disc.magnitude;
     let x = ((halved(x) * inverse) >> 15) * sine;
     let y = ((halved(y) * inverse) >> 15) * sine;
@@ -103,7 +110,7 @@ const fn turned(disc: Q15Disc, inverse: u32, sine: u32, shift: u32, z: i16) -> [
 
 /// z = 1 - r^2, sin theta / r = sqrt(1 + (1 - r^2)).
 #[inline(always)]
-pub(in crate::arithmetic) const fn uniform(disc: Q15Disc) -> [i16; 3] {
+pub(in crate::arithmetic) const fn uniform(disc: Q15Disc) -> [Q15; 3] {
     let rim = disc.rim();
     // (1 + rim) / 4 is in [1/4, 1/2); its root in 2^-16 is that of 1 + rim in 2^-15.
     let factor = root((1 << 30) + (rim >> 2));
@@ -112,7 +119,7 @@ pub(in crate::arithmetic) const fn uniform(disc: Q15Disc) -> [i16; 3] {
 
 /// z = sqrt(1 - r^2).
 #[inline(always)]
-pub(in crate::arithmetic) const fn cosine(disc: Q15Disc) -> [i16; 3] {
+pub(in crate::arithmetic) const fn cosine(disc: Q15Disc) -> [Q15; 3] {
     let [x, y] = disc.magnitude;
     let z = height(root_of(disc.rim()));
     [rounded(x, disc.sign[0]), rounded(y, disc.sign[1]), z]
@@ -127,7 +134,7 @@ const fn exp2_neg(x: u32) -> u32 {
 
 /// z = (1 - r^2)^(1 / (e + 1)).
 #[inline]
-pub(in crate::arithmetic) const fn power(exponent: Q15Exponent, disc: Q15Disc) -> [i16; 3] {
+pub(in crate::arithmetic) const fn power(exponent: Q15Exponent, disc: Q15Disc) -> [Q15; 3] {
     let r2 = disc.r2;
     let spread = exponent.spread as u32;
     if r2 < 1 << 31 {

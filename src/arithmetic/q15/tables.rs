@@ -10,7 +10,11 @@ const fn octant(t: f64) -> [f64; 2] {
     let (mut cos, mut sin, mut term) = (0.0, 0.0, 1.0);
     let mut n = 0;
     while n < 24 {
-        if n % 2 == 0 { cos += term } else { sin += term }
+        if n % 2 == 0 {
+            cos += term
+        } else {
+            sin += term
+        }
         n += 1;
         term *= angle / n as f64;
         if n % 2 == 0 {
@@ -85,9 +89,7 @@ const fn value(function: Function, x: f64) -> f64 {
         Function::Log => log2(1.0 + x),
         Function::Exp => exp2_neg(x),
         Function::Pole => sqrt(-log2(1.0 - 0.5 * x0) / (0.5 * x0)),
-        Function::Bend => {
-            sqrt((1.0 - exp2_neg(2.0 * x0)) / (2.0 * core::f64::consts::LN_2 * x0))
-        }
+        Function::Bend => sqrt((1.0 - exp2_neg(2.0 * x0)) / (2.0 * core::f64::consts::LN_2 * x0)),
     }
 }
 

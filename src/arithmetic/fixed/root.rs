@@ -1,0 +1,76 @@
+//! Square root: a table, two Newton steps for 1 / sqrt x (x y^2 = 1), one for the root, and the exact floor.
+
+use super::wide::{high, product};
+
+/// 1 / sqrt x in units of 2^-15 for x in the middle of [k, k + 1) / 128, k from 32 on.
+static SEEDS: [u16; 128] = {
+    let mut table = [0; 128];
+    let mut k = 32;
+    while k < 128 {
+        // sqrt(2^30 256 / (2 k + 1)).
+        let mut seed = ((1_u64 << 38) / (2 * k as u64 + 1)).isqrt();
+        if seed > 0xffff {
+            seed = 0xffff;
+        }
+        table[k] = seed as u16;
+        k += 1;
+    }
+    table
+};
+
+/// floor(sqrt n): in units of 2^-32 for n in units of 2^-64.
+#[inline]
+pub(in crate::arithmetic) const fn root(n: u64) -> u32 {
+    if n == 0 {
+        return 0;
+    }
+    let shift = n.leading_zeros() & !1;
+    let normal = n << shift;
+    // In [2^30, 2^32).
+    let x = (normal >> 32) as u32;
+    let seed = SEEDS[(x >> 25) as usize] as u32;
+    let three = 3 << 30;
+    // y in units of 2^-30, then 2^-29.
+    let y = seed * ((three - high(x, seed * seed)) >> 16);
+    let square = high(y << 1, y << 1);
+    let y = high(y, three - high(x, square));
+    // Good to 24 bits; the residual of the square gives the rest.
+    let g = high(x, y) << 3;
+    let residual = normal.wrapping_sub(product(g, g)).cast_signed();
+    let step = ((residual >> 16) * (y >> 14) as i64) >> 32;
+    let g = g as i64 + step;
+    let mut g = if g > 0xffff_ffff { u32::MAX } else { g as u32 };
+    // Within one of the floor.
+    if product(g, g) > normal {
+        g -= 1;
+    } else if normal - product(g, g) > 2 * g as u64 {
+        g += 1;
+    }
+    g >> (shift / 2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::root;
+
+    #[test]
+    fn it_is_the_floor() {
+        let mut state = 7_u64;
+        for i in 0..3_000_000_u64 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            let n = state >> (i % 64);
+            assert_eq!(u64::from(root(n)), n.isqrt(), "{n:#x}");
+        }
+        // Squares and their neighbours, at every scale and every edge of the table.
+        for k in 0..1_u64 << 16 {
+            for g in [k, k << 16, k << 16 | 0xffff, !k & 0xffff_ffff] {
+                for n in [g * g, (g * g).wrapping_sub(1), g * g + g, (g * g).wrapping_add(2 * g)] {
+                    assert_eq!(u64::from(root(n)), n.isqrt(), "{n:#x}");
+                }
+            }
+        }
+        for n in [1, 2, 3, u64::MAX, u64::MAX - 1, 1 << 63, 1 << 62] {
+            assert_eq!(u64::from(root(n)), n.isqrt(), "{n:#x}");
+        }
+    }
+}

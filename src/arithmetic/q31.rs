@@ -1,0 +1,174 @@
+//! Q31: the kernels of every map in integers, from the coordinate to the result.
+//!
+//! **Lengths** on the way are magnitudes in units of 2^-32, half an LSB, and signs beside them; r^2 and
+//! 1 - r^2 are exact in units of 2^-64. A magnitude is rounded once, to the nearest LSB, and its sign put
+//! back, so mirror images are equal bit for bit.
+//!
+//! **Inward.** The table of the rotation is short by more than the roundings can add, so every point is on
+//! the disc without a test; that costs about an LSB of radius.
+//!
+//! **Lobes** scale x and y by s/r: sqrt(1 + (1 - r^2)) for the uniform lobe, 1 for the cosine. For the power
+//! lobe, with L = -ln(1 - r^2) and l = L / (e + 1), z = exp(-l), s^2 = 1 - exp(-2 l) formed without
+//! cancellation, and s^2 / r^2 is a quotient of normalised numbers.
+//!
+//! **Densities** are relative to the lobe's peak, which is 1 - LSB.
+
+mod disc;
+mod inverse;
+mod power;
+
+pub use disc::Q31Disc;
+pub use power::Q31Exponent;
+
+use super::fixed::root::root;
+use super::{Arithmetic, FixedExponent, Q31};
+use crate::error::Error;
+use crate::square::fold;
+use disc::{nearest, scaled, signed};
+use inverse::{above, length_squared};
+
+impl Q31 {
+    /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at compile time.
+    ///
+    /// ```
+    /// use hemidisc::{Concentric, Map, Q31};
+    /// static CENTRE: [Q31; 2] = Q31::concentric([1 << 31, 1 << 31]);
+    /// assert_eq!(CENTRE, Concentric::<Q31>::new().sample([1 << 31, 1 << 31]));
+    /// ```
+    #[inline(always)]
+    pub const fn concentric(uv: [u32; 2]) -> [Self; 2] {
+        disc::concentric::<false>(uv).store()
+    }
+}
+
+impl Arithmetic for Q31 {
+    const NAME: &'static str = "q31";
+    const ABSOLUTE_DENSITY: bool = false;
+    const BLOCKED: bool = cfg!(not(any(target_arch = "arm", target_arch = "riscv32")));
+
+    type Real = Self;
+    type Disc = Q31Disc;
+    type Parameter = FixedExponent;
+    type Exponent = Q31Exponent;
+
+    #[inline(always)]
+    fn square(uv: [u32; 2]) -> [Self; 2] {
+        uv.map(|k| Self::from_bits((k >> 1).cast_signed()))
+    }
+
+    /// The magnitude (2m + 1) / 2^32 rounded toward zero, so that inside stays inside.
+    #[inline(always)]
+    fn centred(uv: [u32; 2]) -> [Self; 2] {
+        uv.map(|k| {
+            let (m, sign) = fold(k);
+            signed(m, sign)
+        })
+    }
+
+    #[inline(always)]
+    fn concentric<const RIM: bool>(uv: [u32; 2]) -> Q31Disc {
+        disc::concentric::<RIM>(uv)
+    }
+
+    #[inline(always)]
+    fn polar<const RIM: bool>(uv: [u32; 2]) -> Q31Disc {
+        disc::polar(uv)
+    }
+
+    #[inline(always)]
+    fn store(disc: Q31Disc) -> [Self; 2] {
+        disc.store()
+    }
+
+    #[inline(always)]
+    fn uniform(disc: Q31Disc) -> [Self; 3] {
+        // sqrt(1 + rim) / 2, so that a product with it is in LSBs.
+        let half = root((1 << 62) + (disc.rim >> 2));
+        let scaled = |x: u32| scaled(x, half, 32);
+        let [sign_x, sign_y] = disc.signs;
+        let (x, y) = (signed(scaled(disc.x), sign_x), signed(scaled(disc.y), sign_y));
+        [x, y, nearest((disc.rim >> 32) as u32)]
+    }
+
+    #[inline(always)]
+    fn cosine(disc: Q31Disc) -> [Self; 3] {
+        let [x, y] = disc.store();
+        [x, y, nearest(root(disc.rim))]
+    }
+
+    fn exponent(parameter: FixedExponent) -> Result<Q31Exponent, Error> {
+        Ok(Q31Exponent::new(parameter))
+    }
+
+    #[inline]
+    fn power(exponent: Q31Exponent, disc: Q31Disc) -> [Self; 3] {
+        power::lift(exponent, disc)
+    }
+
+    #[inline]
+    fn load([x, y]: [Self; 2]) -> Q31Disc {
+        let r2 = length_squared(x, y);
+        Q31Disc::lowered(x, y, r2)
+    }
+
+    #[inline]
+    fn lower_uniform(direction: [Self; 3]) -> Q31Disc {
+        inverse::lower_uniform(direction)
+    }
+
+    #[inline]
+    fn lower_cosine(direction: [Self; 3]) -> Q31Disc {
+        inverse::lower_cosine(direction)
+    }
+
+    #[inline]
+    fn lower_power(exponent: Q31Exponent, direction: [Self; 3]) -> Q31Disc {
+        power::lower(exponent, direction)
+    }
+
+    #[inline]
+    fn invert_square(point: [Self; 2]) -> [u32; 2] {
+        point.map(|x| x.to_bits().max(0).cast_unsigned() << 1)
+    }
+
+    #[inline]
+    fn invert_centred(point: [Self; 2]) -> [u32; 2] {
+        point.map(|x| inverse::unfold(x.to_bits().unsigned_abs(), x.to_bits() >> 31))
+    }
+
+    #[inline]
+    fn invert_concentric(disc: Q31Disc) -> [u32; 2] {
+        inverse::concentric(disc)
+    }
+
+    #[inline]
+    fn invert_polar(disc: Q31Disc) -> [u32; 2] {
+        inverse::polar(disc)
+    }
+
+    #[inline]
+    fn square_density([u, v]: [Self; 2]) -> Self {
+        if u >= Self::ZERO && v >= Self::ZERO { Self::MAX } else { Self::ZERO }
+    }
+
+    #[inline]
+    fn disc_density([x, y]: [Self; 2]) -> Self {
+        let square = |x: Self| u64::from(x.to_bits().unsigned_abs()).pow(2);
+        if square(x) + square(y) <= 1 << 62 { Self::MAX } else { Self::ZERO }
+    }
+
+    #[inline]
+    fn uniform_density([_, _, z]: [Self; 3]) -> Self {
+        if above(z) { Self::MAX } else { Self::ZERO }
+    }
+
+    #[inline]
+    fn cosine_density([_, _, z]: [Self; 3]) -> Self {
+        if above(z) { z } else { Self::ZERO }
+    }
+
+    #[inline]
+    fn power_density(exponent: Q31Exponent, direction: [Self; 3]) -> Self {
+        power::density(exponent, direction)
+    }
+}
