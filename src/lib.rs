@@ -17,6 +17,7 @@ pub mod arithmetic;
 
 pub mod frame;
 pub mod points;
+mod table;
 
 // What the journey stands on, and what it promises.
 pub mod bits;

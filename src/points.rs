@@ -179,6 +179,60 @@ impl<S: Sequence, M: Map> Points<S, M> {
         }
     }
 
+    /// Writes the components of points into a buffer each, until the shortest ends or the set; says how
+    /// many points.
+    ///
+    /// The numbers are those of [`fill`](Self::fill); the rest of longer buffers is left as it is.
+    ///
+    /// ```
+    /// use hemidisc::{Cosine, FastF32, Points, sequence::Sobol};
+    /// let rays = Points::new(Sobol::new(0), Cosine::<FastF32>::new());
+    /// let (mut x, mut y, mut z) = ([0.0; 256], [0.0; 256], [0.0; 256]);
+    /// assert_eq!(rays.fill_components([&mut x, &mut y, &mut z]), 256);
+    /// assert_eq!([x[9], y[9], z[9]], rays.get(9).unwrap_or_default());
+    /// ```
+    #[inline]
+    pub fn fill_components<R: Copy + Default, const D: usize>(
+        &self,
+        mut buffers: [&mut [R]; D],
+    ) -> usize
+    where
+        M: Map<Point = [R; D]>,
+    {
+        let shortest = buffers.iter().map(|buffer| buffer.len()).min().unwrap_or(0);
+        let count = shortest.min(self.len as usize);
+        // LLVM vectorises the stores into arrays of its own, not those into the caller's slices.
+        let mut block = [[R::default(); BLOCK]; D];
+        let mut done = 0;
+        while done < count {
+            let start = self.start.wrapping_add(done as u32);
+            // Up to the next multiple of 64, so that all but the first and the last are whole blocks.
+            let size = (BLOCK - start as usize % BLOCK).min(count - done);
+            if size == BLOCK && M::Arithmetic::BLOCKED {
+                let (mut u, mut v) = ([0; BLOCK], [0; BLOCK]);
+                self.sequence.block(start, &mut u, &mut v);
+                for (lane, (u, v)) in u.into_iter().zip(v).enumerate() {
+                    let point = self.map.sample([u, v]);
+                    for (component, value) in block.iter_mut().zip(point) {
+                        component[lane] = value;
+                    }
+                }
+            } else {
+                for (lane, uv) in self.sequence.iter(start).take(size).enumerate() {
+                    for (component, value) in block.iter_mut().zip(self.map.sample(uv)) {
+                        component[lane] = value;
+                    }
+                }
+            }
+            for (buffer, component) in buffers.iter_mut().zip(&block) {
+                let slots = buffer.iter_mut().skip(done);
+                slots.zip(component.iter().take(size)).for_each(|(slot, value)| *slot = *value);
+            }
+            done += size;
+        }
+        count
+    }
+
     /// The first `N` points as an array.
     ///
     /// # Errors

@@ -39,6 +39,12 @@ impl Q31 {
     pub const fn concentric(uv: [u32; 2]) -> [Self; 2] {
         disc::concentric::<false>(uv).store()
     }
+
+    /// The polar map, as [`Polar`](crate::Polar) stores it.
+    #[inline(always)]
+    pub const fn polar(uv: [u32; 2]) -> [Self; 2] {
+        disc::polar(uv).store()
+    }
 }
 
 impl Arithmetic for Q31 {

@@ -101,7 +101,7 @@ pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
     let steep = quarter & 1 << 13 != 0;
     let octant = if steep { quarter ^ 0x3fff } else { quarter };
     let t = 2 * octant + 1;
-    let lines = LINES[(octant >> 6) as usize];
+    let lines = LINES[(octant >> 6 & 0x7f) as usize];
     // From 2^-29 to 2^-16.
     let cos = (((lines.a as u32) << 14) - t * lines.b as u32 + (1 << 12)) >> 13;
     let sin = (((lines.c as u32) << 14) + t * lines.d as u32 + (1 << 12)) >> 13;

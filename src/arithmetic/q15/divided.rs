@@ -15,6 +15,12 @@ impl Q15Div {
     pub const fn concentric(uv: [u32; 2]) -> [super::Q15; 2] {
         concentric(uv).store()
     }
+
+    /// The polar map, as [`Polar`](crate::Polar) stores it.
+    #[inline(always)]
+    pub const fn polar(uv: [u32; 2]) -> [super::Q15; 2] {
+        super::Q15::polar(uv)
+    }
 }
 
 #[inline(always)]
