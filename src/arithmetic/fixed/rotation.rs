@@ -158,7 +158,7 @@ pub(in crate::arithmetic) fn fraction(a: u32, b: u32) -> u64 {
     let [cos, sin] = ROTATIONS[part & 127];
     let [a, b, cos, sin] = [a, b, cos, sin].map(i128::from);
     // In [-1/300, 1/150], units of 2^-62; its fifth power is below them.
-    let tan = ((b * cos - a * sin) << 62) / (a * cos + b * sin);
+    let tan = ((b * cos - a * sin) << 62) / (a * cos + b * sin).max(1);
     let cube = (((tan * tan) >> 62) * tan) >> 62;
     let rest = ((tan - cube / 3) * FOUR_OVER_PI) >> 62;
     let t = rest + ((2 * part as i128 + 1) << 62) / (2 * PARTS as i128);
