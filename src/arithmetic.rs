@@ -12,6 +12,7 @@
 //! | `Q15` | `fixed-point` | `Q15` | integers alone: tables and 16-bit products, for small cores |
 //! | `Q15Div` | `fixed-point` | `Q15` | the same, with a division and no table in the concentric map |
 //! | `Q31` | `fixed-point` | `Q31` | integers alone: tables and short series, the same bytes on any core |
+//! | `MicromathF32` | `micromath` | `f32` | three digits: `micromath`'s sine and cosine, the rest refined |
 
 use crate::error::Error;
 use crate::map::DiscMap;
@@ -28,8 +29,12 @@ pub(crate) mod float;
 mod libm_f32;
 #[cfg(feature = "libm")]
 mod libm_f64;
+#[cfg(feature = "micromath")]
+mod micromath_f32;
 #[cfg(feature = "fixed-point")]
 mod q15;
+#[cfg(feature = "fixed-point")]
+mod q15_div;
 #[cfg(feature = "fixed-point")]
 mod q31;
 
@@ -41,8 +46,12 @@ pub use float::{Float, FloatDisc, PowerExponent, Real};
 pub use libm_f32::LibmF32;
 #[cfg(feature = "libm")]
 pub use libm_f64::LibmF64;
+#[cfg(feature = "micromath")]
+pub use micromath_f32::MicromathF32;
 #[cfg(feature = "fixed-point")]
-pub use q15::{Q15Disc, Q15Div, Q15Exponent};
+pub use q15::{Q15Disc, Q15Exponent};
+#[cfg(feature = "fixed-point")]
+pub use q15_div::Q15Div;
 #[cfg(feature = "fixed-point")]
 pub use q31::{Q31Disc, Q31Exponent};
 

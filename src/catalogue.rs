@@ -116,7 +116,8 @@ pub fn power_maps<A: Arithmetic>(
 }
 
 /// The names of all arithmetics that a build with every feature has, in the order of visits.
-pub const ARITHMETICS: [&str; 6] = ["libm-f64", "libm-f32", "fast-f32", "q31", "q15", "q15-div"];
+pub const ARITHMETICS: [&str; 7] =
+    ["libm-f64", "libm-f32", "fast-f32", "micromath-f32", "q31", "q15", "q15-div"];
 
 /// The names of the arithmetics that this build has, in the order of visits.
 pub const AVAILABLE_ARITHMETICS: &[&str] = &[
@@ -125,6 +126,8 @@ pub const AVAILABLE_ARITHMETICS: &[&str] = &[
     #[cfg(feature = "libm")]
     "libm-f32",
     "fast-f32",
+    #[cfg(feature = "micromath")]
+    "micromath-f32",
     #[cfg(feature = "fixed-point")]
     "q31",
     #[cfg(feature = "fixed-point")]
@@ -141,6 +144,8 @@ pub fn arithmetics(visitor: &mut impl ArithmeticVisitor) {
         visitor.visit::<crate::LibmF32>();
     }
     visitor.visit::<crate::FastF32>();
+    #[cfg(feature = "micromath")]
+    visitor.visit::<crate::MicromathF32>();
     #[cfg(feature = "fixed-point")]
     {
         visitor.visit::<crate::Q31>();

@@ -26,6 +26,8 @@ mod error;
 pub mod invariant;
 
 pub use arithmetic::FastF32;
+#[cfg(feature = "micromath")]
+pub use arithmetic::MicromathF32;
 #[cfg(feature = "libm")]
 pub use arithmetic::{LibmF32, LibmF64};
 #[cfg(feature = "fixed-point")]

@@ -54,9 +54,14 @@ fn every_arithmetic_is_listed() {
     let mut names = Names(Vec::new());
     arithmetics(&mut names);
     assert_eq!(names.0, AVAILABLE_ARITHMETICS);
-    assert_eq!(names.0, ARITHMETICS);
+    // Those of this build are some of all, in the same order.
+    let mut all = ARITHMETICS.iter();
+    assert!(names.0.iter().all(|name| all.any(|listed| listed == name)), "{:?}", names.0);
+    if cfg!(all(feature = "libm", feature = "micromath", feature = "fixed-point")) {
+        assert_eq!(names.0, ARITHMETICS);
+    }
     let machinery = ["contract", "fixed", "float"];
-    let listed = names.0.iter().map(|name| name.replace('-', "_"));
+    let listed = ARITHMETICS.iter().map(|name| name.replace('-', "_"));
     let expected: BTreeSet<_> = listed.chain(machinery.map(String::from)).collect();
     assert_eq!(files("arithmetic"), expected);
 }

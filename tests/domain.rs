@@ -5,10 +5,14 @@
 //! in full: every minor coordinate that the type can tell apart.
 #![cfg(feature = "libm")]
 
+#[macro_use]
+mod arithmetics;
+
+use arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic};
 use hemidisc::arithmetic::{Arithmetic, Float, contract::contract};
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
 use hemidisc::invariant::{self, Exact, in_unit_disc};
-use hemidisc::{Concentric, Cosine, LibmF32, LibmF64, Map, Polar, Power, Uniform};
+use hemidisc::{Concentric, Cosine, LibmF32, Map, Polar, Power, Uniform};
 use proptest::prelude::*;
 
 /// Any bit pattern; the hard ones, near an edge, the centre or a power of two, as often as not.
@@ -54,7 +58,7 @@ impl Promises {
             "polar" => invariant::mirrored_polar(map, self.uv),
             _ => invariant::mirrored_concentric(map, self.uv),
         }
-        .unwrap();
+        .unwrap_or_else(|v| panic!("{} e = {}: {v}", M::Arithmetic::NAME, self.exponent));
     }
 
     /// libm f64 gives back the coordinates; every arithmetic comes back to the same place within its
@@ -79,9 +83,9 @@ impl Promises {
     }
 }
 
-impl<A: Arithmetic<Real: Exact>> MapVisitor<A> for Promises {
+impl<A: Tested> MapVisitor<A> for Promises {
     fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
-        invariant::disc(&map, self.uv).unwrap();
+        invariant::disc(&map, self.uv).unwrap_or_else(|v| panic!("{}: {v}", A::NAME));
         self.mirrored(name, &map);
         self.inverted("disc", &map);
     }
@@ -92,9 +96,85 @@ impl<A: Arithmetic<Real: Exact>> MapVisitor<A> for Promises {
         disc: &'static str,
         map: M,
     ) {
-        invariant::hemisphere(&map, self.uv).unwrap();
+        invariant::hemisphere(&map, self.uv)
+            .unwrap_or_else(|v| panic!("{} e = {}: {v}", A::NAME, self.exponent));
         self.mirrored(disc, &map);
         self.inverted(lobe, &map);
+    }
+}
+
+/// The promises at one sample: of every map without an exponent, and of lobes of the exponent given,
+/// where the arithmetic has it, and of one of its own, of random bits.
+struct AtSample {
+    uv: [u32; 2],
+    exponent: f32,
+    bits: u64,
+}
+
+impl EachArithmetic for AtSample {
+    fn each<A: Tested>(&mut self) {
+        let mut promises = Promises { uv: self.uv, exponent: 0.0 };
+        maps::<A>(&mut promises);
+        let given = A::Parameter::exactly(self.exponent.into());
+        for parameter in given.into_iter().chain(A::Parameter::any(self.bits)) {
+            promises.exponent = parameter.value();
+            power_maps::<A>(parameter, &mut promises).unwrap();
+        }
+    }
+}
+
+/// Points and directions that no sample has given: inverses are in the square and densities are numbers.
+struct Total {
+    numbers: [f64; 3],
+    exponent: f64,
+}
+
+impl EachArithmetic for Total {
+    fn each<A: Tested>(&mut self) {
+        let mut lobes = Given { numbers: self.numbers };
+        maps::<A>(&mut lobes);
+        if let Some(parameter) = A::Parameter::exactly(self.exponent) {
+            power_maps::<A>(parameter, &mut lobes).unwrap();
+        }
+    }
+}
+
+struct Given {
+    numbers: [f64; 3],
+}
+
+impl Given {
+    fn point<A: Tested>(&self) -> [A::Real; 3] {
+        let number = |x: f64| if A::Real::FIXED && x.is_nan() { 0.0 } else { x };
+        self.numbers.map(|x| A::Real::nearest(number(x)))
+    }
+
+    fn check<A: Tested, M: Map<Arithmetic = A>>(&self, map: &M, point: M::Point) {
+        map.invert(point);
+        let density = map.density(point).exact();
+        assert!(density >= 0.0 && density.is_finite(), "{} {:?}: {density}", A::NAME, self.numbers);
+    }
+}
+
+impl<A: Tested> MapVisitor<A> for Given {
+    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, _: &'static str, map: M) {
+        let [x, y, _] = self.point::<A>();
+        self.check(&map, [x, y]);
+    }
+
+    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
+        &mut self,
+        _: &'static str,
+        _: &'static str,
+        map: M,
+    ) {
+        let [x, y, z] = self.point::<A>();
+        // A cosine lobe has a density at a z that is no direction's, and an infinite one at infinity.
+        let z = if z.exact() > 1.0 { A::Real::nearest(1.0) } else { z };
+        self.check(&map, [x, y, z]);
+        if z.exact() <= 0.0 {
+            assert_eq!(map.density([x, y, z]).exact(), 0.0, "{}", A::NAME);
+        }
     }
 }
 
@@ -102,15 +182,14 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 
     #[test]
-    fn every_promise_holds_for_every_map(uv in coordinates(), exponent in exponent()) {
-        let mut promises = Promises { uv, exponent: 0.0 };
-        maps::<LibmF32>(&mut promises);
-        maps::<LibmF64>(&mut promises);
+    fn every_promise_holds_for_every_map(
+        uv in coordinates(),
+        exponent in exponent(),
+        bits in any::<u64>(),
+    ) {
+        every_arithmetic(&mut AtSample { uv, exponent, bits });
         total(Uniform::<Checked>::new().sample(uv), exponent);
         total(Power::<Checked, _>::polar(exponent).unwrap().sample(uv), exponent);
-        promises.exponent = exponent.into();
-        power_maps::<LibmF32>(exponent, &mut promises).unwrap();
-        power_maps::<LibmF64>(exponent.into(), &mut promises).unwrap();
     }
 
     #[test]
@@ -120,6 +199,7 @@ proptest! {
         let off = [sampled[0], sampled[1], f32::from_bits(bits[2])];
         for direction in [anything, off, anything.map(|x| x % 1.0), [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]] {
             total(direction, e);
+            every_arithmetic(&mut Total { numbers: direction.map(f64::from), exponent: e.into() });
         }
     }
 }
@@ -190,50 +270,60 @@ fn outward(magnitude: u32) -> u32 {
     0x8000_0000 + magnitude
 }
 
-/// Every m in 0..2^31 whose 2m + 1 is another f32 than that of the m before, and each `stride`-th.
-fn distinct_f32(stride: usize) -> impl Iterator<Item = u32> {
-    // Below 2^23 each m has its own; above, one in 2^(bit - 23).
-    let exact = 0..1_u32 << 23;
-    let rounded = (23..31).flat_map(|bit| (1 << bit..1 << (bit + 1)).step_by(1 << (bit - 23)));
+/// Every m in 0..2^31 that the arithmetic tells from the m before, and each `stride`-th of them: floats
+/// those whose 2m + 1 is another f32, fixed point those whose leading bits differ.
+fn distinct<A: Tested>(stride: usize) -> impl Iterator<Item = u32> {
+    // An f32 tells every m below 2^23, and above that one in 2^(bit - 23).
+    let read = A::BITS.min(24);
+    let exact = (0..1_u32 << 23).step_by(1 << (32 - A::BITS));
+    let rounded = (23..31_u32).flat_map(move |bit| {
+        let step = if A::Real::FIXED { 32 - read } else { bit - 23 };
+        (1 << bit..1 << (bit + 1)).step_by(1 << step)
+    });
     exact.chain(rounded).step_by(stride)
 }
 
 /// Counts the points of a ring, on both sides of its diagonal, and asserts that none is outside.
-fn walk_ring(major: u32, stride: usize) -> u64 {
-    let (disc, uniform) = (Concentric::<LibmF32>::new(), Uniform::<LibmF32>::new());
+fn walk_ring<A: Tested>(major: u32, stride: usize) -> u64 {
+    let (disc, uniform) = (Concentric::<A>::new(), Uniform::<A>::new());
     let mut walked = 0;
-    for minor in distinct_f32(stride) {
+    for minor in distinct::<A>(stride) {
         for uv in [[outward(major), outward(minor)], [outward(minor), outward(major)]] {
-            let [x, y] = disc.sample(uv).map(f64::from);
-            assert!(in_unit_disc([x, y]), "{uv:08x?}");
-            let [x, y, z] = uniform.sample(uv).map(f64::from);
-            assert!(in_unit_disc([x, y]) && z > 0.0, "{uv:08x?}");
+            let [x, y] = disc.sample(uv).map(Exact::exact);
+            assert!(in_unit_disc([x, y]), "{} {uv:08x?}", A::NAME);
+            let [x, y, z] = uniform.sample(uv).map(Exact::exact);
+            assert!(in_unit_disc([x, y]) && z > 0.0, "{} {uv:08x?}", A::NAME);
             walked += 1;
         }
     }
     walked
 }
 
-#[test]
-fn no_point_of_the_outer_rings_is_outside() {
-    // Magnitudes that round to 1 and to each of the three f32 below it.
+fn no_point_of_the_outer_rings_is_outside<A: Tested>() {
+    // Magnitudes that round to 1 and to each of the three f32 below it; or the last four of 16 bits.
     let full = std::env::var_os("HEMIDISC_EXHAUSTIVE").is_some();
-    let stride = if full { 1 } else { 61 };
-    let rings = [0x7fff_ffff, 0x7fff_ff80, 0x7fff_ff00, 0x7fff_fe80];
-    let radii = rings.map(|m| ((2 * m + 1) as f32 / 4_294_967_296.0).to_bits());
+    let stride = if full || A::BITS < 32 { 1 } else { 61 };
+    let fine = [0x7fff_ffff, 0x7fff_ff80, 0x7fff_ff00, 0x7fff_fe80];
+    let radii = fine.map(|m| ((2 * m + 1) as f32 / 4_294_967_296.0).to_bits());
     assert_eq!(radii, [0, 1, 2, 3].map(|below| 1.0_f32.to_bits() - below));
-    let walked: u64 = rings.into_iter().map(|major| walk_ring(major, stride)).sum();
-    println!("{walked} points of the outer rings walked, 0 outside");
-    let total = distinct_f32(stride).count() as u64 * 2 * rings.len() as u64;
+    let rings = if A::BITS < 32 { [0, 1, 2, 3].map(|n| 0x7fff_ffff - (n << 16)) } else { fine };
+    let walked: u64 = rings.into_iter().map(|major| walk_ring::<A>(major, stride)).sum();
+    println!("{}: {walked} points of the outer rings walked, 0 outside", A::NAME);
+    let total = distinct::<A>(stride).count() as u64 * 2 * rings.len() as u64;
     assert_eq!(walked, total);
 }
 
-#[test]
-fn the_seam_and_the_rim_of_polar_are_on_the_disc() {
+each_arithmetic!(tests no_point_of_the_outer_rings_is_outside);
+
+fn the_seam_and_the_rim_of_polar_are_on_the_disc<A: Tested>() {
     for v in (0..40_000).map(|i| u32::MAX - i * 7) {
-        for u in [0, 1, v, v << 7, 1 << 30, (1 << 30) - 1, 1 << 31, 3 << 29, u32::MAX] {
-            invariant::disc(&Polar::<LibmF32>::new(), [u, v]).unwrap();
-            invariant::disc(&Polar::<LibmF64>::new(), [u, v]).unwrap();
+        // With 16 bits of v as many more of u.
+        let other = v.wrapping_mul(0x9e37_79b9);
+        for u in [0, 1, v, v << 7, other, 1 << 30, (1 << 30) - 1, 1 << 31, 3 << 29, u32::MAX] {
+            invariant::disc(&Polar::<A>::new(), [u, v])
+                .unwrap_or_else(|v| panic!("{}: {v}", A::NAME));
         }
     }
 }
+
+each_arithmetic!(tests the_seam_and_the_rim_of_polar_are_on_the_disc);

@@ -8,6 +8,10 @@
 //! A file whose values depend on another crate begins with its version in the lock file.
 #![cfg(feature = "libm")]
 
+#[macro_use]
+mod arithmetics;
+
+use arithmetics::Tested;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{
     AVAILABLE_ARITHMETICS, MapVisitor, SequenceVisitor, maps, power_maps, sequences,
@@ -15,7 +19,7 @@ use hemidisc::catalogue::{
 use hemidisc::disc::Rejection;
 use hemidisc::invariant::{Digest, Digestible};
 use hemidisc::sequence::{Sequence, Shuffled, SobolOwen, Stored};
-use hemidisc::{Domain, LibmF32, LibmF64, Map, Points, UnitSquare};
+use hemidisc::{Domain, Map, Points, UnitSquare};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -158,10 +162,11 @@ fn locked(name: &str) -> &'static str {
 }
 
 /// The file of one arithmetic.
-fn digests<A: Arithmetic<Real: Digestible>>() -> String {
+fn digests<A: Tested>() -> String {
     let mut collect = Collect::default();
     sequences(COUNT, SEED, &mut collect).unwrap();
-    let mut text = format!("# libm {}\n", locked("libm"));
+    let head = A::LIBRARY.map(|library| format!("# {library} {}\n", locked(library)));
+    let mut text = head.unwrap_or_default();
     for (sequence, points) in &collect.0 {
         let mut kept = Digest::new();
         for point in Rejection::<A, _>::new(points.iter().copied()) {
@@ -181,15 +186,11 @@ fn digests<A: Arithmetic<Real: Digestible>>() -> String {
     text
 }
 
-#[test]
-fn libm_f64_is_as_recorded() {
-    compare("libm-f64.txt", &digests::<LibmF64>());
+fn is_as_recorded<A: Tested>() {
+    compare(&format!("{}.txt", A::NAME), &digests::<A>());
 }
 
-#[test]
-fn libm_f32_is_as_recorded() {
-    compare("libm-f32.txt", &digests::<LibmF32>());
-}
+each_arithmetic!(tests is_as_recorded);
 
 #[test]
 fn every_arithmetic_has_a_file() {

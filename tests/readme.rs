@@ -13,18 +13,19 @@ fn table() -> String {
          | --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );
     for row in CONTRACTS {
-        let unit = format!("2^{}", row.unit.log2());
-        let [first, slope] = row.z;
-        let z = match (first, slope) {
+        let name = if row.relative { "eps" } else { "LSB" };
+        let unit = format!("{name} = 2^{}", row.unit.log2());
+        let sum = |[first, slope]: [f64; 2], of: &str| match (first, slope) {
             (0.0, _) => "-".to_string(),
             (_, 0.0) => format!("{first}"),
-            _ => format!("{first} + {slope} abs(ln z)"),
+            _ => format!("{first} + {slope} {of}"),
         };
+        let (z, density) = (sum(row.z, "abs(ln z)"), sum(row.density, "sqrt e"));
         let theta = if row.theta == 0.0 { "-".to_string() } else { format!("{}", row.theta) };
         writeln!(
             text,
-            "| `{}`, eps = {unit} | {} | {} | {} | {theta} | {z} | {} | {} |",
-            row.arithmetic, row.map, row.position, row.norm, row.density[0], row.inverse
+            "| `{}`, {unit} | {} | {} | {} | {theta} | {z} | {density} | {} |",
+            row.arithmetic, row.map, row.position, row.norm, row.inverse
         )
         .unwrap();
     }

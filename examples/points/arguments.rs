@@ -51,7 +51,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum)]
     disc: Option<DiscName>,
 
-    /// Exponent of hemisphere-power: a finite number above -1
+    /// Exponent of hemisphere-power: a finite number above -1; in fixed point 0 <= e < 4294967296
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
     exponent: Option<String>,
 
@@ -136,8 +136,13 @@ impl Arguments {
     /// The exponent, checked even where the map does not use it.
     pub(crate) fn exponent<A: Arithmetic>(&self) -> Result<Option<A::Parameter>, Failure> {
         let Some(text) = self.exponent.as_deref() else { return Ok(None) };
-        let exponent = text.parse().map_err(|_| {
-            Failure::Usage(format!("--exponent: {text:?} is not a number; accepted: {EXPONENT}"))
+        let exponent = text.parse().map_err(|error| {
+            // A number that the type refuses, or none.
+            Failure::Usage(if text.parse::<f64>().is_ok() {
+                format!("--exponent: {error}")
+            } else {
+                format!("--exponent: {text:?} is not a number; {}", accepted_exponent::<A>())
+            })
         })?;
         A::exponent(exponent).map_err(|error| Failure::Usage(format!("--exponent: {error}")))?;
         Ok(Some(exponent))
@@ -174,8 +179,17 @@ impl Arguments {
     }
 }
 
-pub(crate) fn missing_exponent() -> String {
-    format!("--exponent: missing, hemisphere-power needs it; accepted: {EXPONENT}")
+pub(crate) fn missing_exponent<A: Arithmetic>() -> String {
+    let accepted = accepted_exponent::<A>();
+    format!("--exponent: missing, hemisphere-power needs it; {accepted}")
+}
+
+/// What the arithmetic accepts, in the words of the crate's errors.
+fn accepted_exponent<A: Arithmetic>() -> String {
+    let negative = "-0.5".parse::<A::Parameter>().is_ok();
+    let fixed = || hemidisc::Error::FixedExponent { value: f64::NAN }.to_string();
+    let fixed = || fixed().split("; ").last().unwrap_or_default().to_owned();
+    if negative { format!("accepted: {EXPONENT}") } else { fixed() }
 }
 
 /// An error of the parser, which would take several lines, on one.

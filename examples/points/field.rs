@@ -1,11 +1,12 @@
-//! A component of a point as text: the shortest decimal that reads back exactly, or its raw bits.
+//! A component of a point as text: the shortest decimal that reads back exactly, or its raw bits. Fixed
+//! point is its exact decimal value, or a signed decimal count of LSBs.
 
 use std::any::Any;
 use std::io::{self, Write};
 
 /// A number that can be a field of a row.
 trait Field {
-    /// The shortest decimal that reads back exactly.
+    /// The shortest decimal that reads back exactly; the exact value where that is the custom.
     fn decimal(&self, out: &mut dyn Write) -> io::Result<()>;
     /// The bits, for a comparison without a parser of floats.
     fn raw(&self, out: &mut dyn Write) -> io::Result<()>;
@@ -31,6 +32,23 @@ impl Field for f64 {
     }
 }
 
+#[cfg(feature = "fixed-point")]
+macro_rules! fixed {
+    ($($number:ident),*) => {$(
+        impl Field for hemidisc::$number {
+            fn decimal(&self, out: &mut dyn Write) -> io::Result<()> {
+                write!(out, "{self}")
+            }
+
+            fn raw(&self, out: &mut dyn Write) -> io::Result<()> {
+                write!(out, "{}", self.to_bits())
+            }
+        }
+    )*};
+}
+#[cfg(feature = "fixed-point")]
+fixed!(Q15, Q31);
+
 /// Writes a number as a field.
 pub(crate) type Writer<R> = fn(&R, &mut dyn Write) -> io::Result<()>;
 
@@ -42,6 +60,13 @@ pub(crate) fn writer<R: 'static>(raw: bool) -> Option<Writer<R>> {
     fn of<F: Field>(raw: bool) -> Writer<F> {
         if raw { F::raw } else { F::decimal }
     }
-    let fields: [&dyn Any; 2] = [&of::<f32>(raw), &of::<f64>(raw)];
-    fields.into_iter().find_map(|writer| writer.downcast_ref()).copied()
+    let fields: &[&dyn Any] = &[
+        &of::<f32>(raw),
+        &of::<f64>(raw),
+        #[cfg(feature = "fixed-point")]
+        &of::<hemidisc::Q15>(raw),
+        #[cfg(feature = "fixed-point")]
+        &of::<hemidisc::Q31>(raw),
+    ];
+    fields.iter().find_map(|writer| writer.downcast_ref()).copied()
 }

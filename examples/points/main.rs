@@ -98,7 +98,8 @@ fn print_in<A: Arithmetic>(arguments: &Arguments) -> Result<(), Failure> {
             table.print(&Mapped(Cosine::<A>::new()))
         }
         (MapName::HemispherePower, disc) => {
-            let exponent = exponent.ok_or_else(|| Failure::Usage(arguments::missing_exponent()))?;
+            let exponent =
+                exponent.ok_or_else(|| Failure::Usage(arguments::missing_exponent::<A>()))?;
             let refused = |error| Failure::Usage(format!("--exponent: {error}"));
             match disc {
                 DiscName::Polar => {

@@ -66,10 +66,17 @@ macro_rules! number {
             }
         }
 
-        /// The exact decimal value.
+        /// The exact decimal value, or to the places asked for.
         impl fmt::Display for $number {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                fmt::Display::fmt(&self.to_f64(), f)
+                if f.precision().is_some() {
+                    return fmt::Display::fmt(&self.to_f64(), f);
+                }
+                // An odd count of 2^-n has n decimal places; the shortest decimal that reads back as
+                // the same f64 would have fewer.
+                let places = ($bits::BITS - 1).saturating_sub(self.0.trailing_zeros());
+                let width = f.width().unwrap_or(0);
+                write!(f, "{:width$.*}", places as usize, self.to_f64())
             }
         }
     };
@@ -166,5 +173,28 @@ impl FromStr for FixedExponent {
     /// A decimal, rounded to the nearest multiple of 2^-32.
     fn from_str(text: &str) -> Result<Self, Error> {
         Self::try_from(text.parse().unwrap_or(f64::NAN))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::string::ToString;
+
+    #[test]
+    fn decimals_are_exact() {
+        for (number, text) in [
+            (Q31::ZERO, "0"),
+            (Q31::LSB, "0.0000000004656612873077392578125"),
+            (-Q31::LSB, "-0.0000000004656612873077392578125"),
+            (Q31::MAX, "0.9999999995343387126922607421875"),
+            (Q31::from_bits(i32::MIN), "-1"),
+            (Q31::from_bits(-3 << 29), "-0.75"),
+        ] {
+            assert_eq!(number.to_string(), text);
+        }
+        assert_eq!(Q15::LSB.to_string(), "0.000030517578125");
+        assert_eq!(Q15::MAX.to_string(), "0.999969482421875");
+        assert_eq!(std::format!("{:7} {:.2}", Q15::from_bits(1 << 14), Q15::MAX), "    0.5 1.00");
     }
 }

@@ -11,16 +11,15 @@
 //! 20 LSB: on the lobe to half an LSB, but on few of its directions.
 
 use super::fixed::{FixedExponent, Q15, Q31};
-use super::{Arithmetic, Q31Disc};
+use super::{Arithmetic, Q15Div, Q31Disc, q15_div};
 use crate::error::Error;
 
 mod disc;
-mod divided;
 mod lobes;
 mod tables;
 
 pub use disc::Q15Disc;
-pub use divided::Q15Div;
+pub(super) use disc::fold;
 pub use lobes::Q15Exponent;
 
 impl Q15 {
@@ -185,7 +184,7 @@ macro_rules! arithmetic {
     };
 }
 arithmetic!(Q15, "q15", disc::concentric);
-arithmetic!(Q15Div, "q15-div", divided::concentric);
+arithmetic!(Q15Div, "q15-div", q15_div::concentric);
 
 impl From<Q31Disc> for Q15Disc {
     /// For the inverses: the direction, and r^2, which is not 0.

@@ -1,6 +1,7 @@
 //! Errors, notes and help: one line, the right stream, the right status.
 
 use super::{Run, leave_after, points, run};
+use hemidisc::catalogue::{ARITHMETICS, AVAILABLE_ARITHMETICS};
 
 /// Asserts an error that names the argument and says what is accepted.
 #[track_caller]
@@ -10,7 +11,8 @@ fn refused(run: &Run, argument: &str, accepted: &str) {
     assert!(one_line, "not one line: {}", run.stderr);
     let names = run.stderr.starts_with(&format!("error: {argument}: "));
     assert!(names, "{argument} is not named: {}", run.stderr);
-    let accepts = run.stderr.contains(&format!("; accepted: {accepted}"));
+    let clause = if accepted.starts_with("accepted") { "" } else { "accepted: " };
+    let accepts = run.stderr.contains(&format!("; {clause}{accepted}"));
     assert!(accepts, "does not say that {accepted} is accepted: {}", run.stderr);
 }
 
@@ -20,13 +22,19 @@ const SEQUENCES: &str = "regular, random, jittered, nrooks, multi-jittered, corr
                          hammersley, halton, sobol, sobol-owen, r2";
 const COUNT: &str = "an integer 1..=4294967295";
 const INDEX: &str = "an integer 0..=4294967295";
-const ARITHMETICS: &str = "libm-f64, libm-f32";
 const EXPONENT: &str = "a finite number above -1\n";
+const FIXED_EXPONENT: &str = "accepted in fixed point: 0 <= e < 4294967296\n";
+
+/// The arithmetics of this build, as errors list them.
+fn arithmetics() -> String {
+    AVAILABLE_ARITHMETICS.join(", ") + "\n"
+}
 const ALL: &str = "--sequence, --count, --start, --seed, --map, --disc, --exponent, --arithmetic, \
                    --stdin, --density, --invert, --raw";
 
 #[test]
 fn bad_arguments_are_refused_on_one_line() {
+    let arithmetics = arithmetics();
     let cases = [
         ("--count 4 --map square", "--sequence", SEQUENCES),
         ("--sequence r2 --map square", "--count", COUNT),
@@ -53,8 +61,8 @@ fn bad_arguments_are_refused_on_one_line() {
         ("--sequence r2 --count 4 --map", "--map", MAPS),
         ("--sequence r2 --count 4 --map disc", "--map", MAPS),
         ("--sequence r2 --count 4 --map square --disc round", "--disc", "polar, concentric\n"),
-        ("--sequence r2 --count 4 --map square --arithmetic f16", "--arithmetic", ARITHMETICS),
-        ("--sequence r2 --count 4 --map square --arithmetic", "--arithmetic", ARITHMETICS),
+        ("--sequence r2 --count 4 --map square --arithmetic f16", "--arithmetic", &arithmetics),
+        ("--sequence r2 --count 4 --map square --arithmetic", "--arithmetic", &arithmetics),
         ("--sequence r2 --count 4 --map hemisphere-power", "--exponent", EXPONENT),
         ("--sequence r2 --stdin --map square", "--sequence", "one of the two"),
         ("--sequence r2 --count 4 --map square --raw=yes", "--raw", "--raw without a value"),
@@ -71,6 +79,28 @@ fn bad_arguments_are_refused_on_one_line() {
         for exponent in ["", "ten", "--raw", "-1", "-1.5", "nan", "inf", "-inf", "1e39"] {
             let arguments = format!("--sequence r2 --count 4 --map {map} --exponent {exponent}");
             refused(&points(&arguments), "--exponent", EXPONENT);
+        }
+    }
+    // Fixed point has its own range, and takes any decimal within.
+    for name in ARITHMETICS.iter().filter(|name| name.starts_with('q')) {
+        if !AVAILABLE_ARITHMETICS.contains(name) {
+            continue;
+        }
+        let arguments =
+            format!("--sequence r2 --count 4 --map hemisphere-power --arithmetic {name}");
+        refused(&points(&arguments), "--exponent", FIXED_EXPONENT);
+        for exponent in ["ten", "-1", "-0.5", "nan", "inf", "1e39", "4294967296"] {
+            let run = points(&format!("{arguments} --exponent {exponent}"));
+            refused(&run, "--exponent", FIXED_EXPONENT);
+            let value = exponent.parse::<f64>().map_or(exponent.to_string(), |e| e.to_string());
+            assert!(run.stderr.contains(&value), "{}", run.stderr);
+        }
+        let ten = points(&format!("{arguments} --exponent 10")).quiet();
+        for exponent in ["10.0", "1e1", "+10"] {
+            assert_eq!(points(&format!("{arguments} --exponent {exponent}")).quiet(), ten);
+        }
+        for exponent in ["0", "0.001", "1e8", "4294967295.9"] {
+            points(&format!("{arguments} --exponent {exponent}")).quiet();
         }
     }
     // A line break in an argument is not one in the error.
@@ -94,10 +124,10 @@ fn an_error_is_the_only_line() {
 fn known_arithmetics_are_refused_until_the_crate_has_them() {
     for name in ["libm-f64", "libm-f32", "fast-f32", "micromath-f32", "q31", "q15", "q15-div"] {
         let run = points(&format!("--sequence r2 --count 4 --map square --arithmetic {name}"));
-        if hemidisc::catalogue::AVAILABLE_ARITHMETICS.contains(&name) {
+        if AVAILABLE_ARITHMETICS.contains(&name) {
             run.quiet();
         } else {
-            refused(&run, "--arithmetic", ARITHMETICS);
+            refused(&run, "--arithmetic", &arithmetics());
             let why = ["is not built yet", "needs a feature"].map(|why| run.stderr.contains(why));
             assert!(why[0] || why[1], "{}", run.stderr);
         }

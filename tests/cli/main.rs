@@ -5,6 +5,9 @@
 #![cfg(feature = "libm")]
 
 mod arguments;
+#[macro_use]
+#[path = "../arithmetics/mod.rs"]
+mod arithmetics;
 mod coordinates;
 mod maps;
 

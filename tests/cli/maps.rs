@@ -1,9 +1,10 @@
 //! What is printed of each point: the crate's own bits, exact decimals, inverses, rejection.
 
+use super::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic};
 use super::{hard_pairs, hex, hexes, pair, points, points_of, same, square};
+use hemidisc::Map;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, MapVisitor, SEQUENCES, maps, power_maps};
-use hemidisc::{LibmF32, LibmF64, Map};
 
 /// The maps of the command line with what they need; those that keep every point.
 const MAPS: [&str; 10] = [
@@ -19,23 +20,6 @@ const MAPS: [&str; 10] = [
     "hemisphere-power --exponent 1e8",
 ];
 
-/// A number as `--raw` prints it.
-trait Raw {
-    fn raw(&self) -> String;
-}
-
-impl Raw for f32 {
-    fn raw(&self) -> String {
-        format!("0x{:08x}", self.to_bits())
-    }
-}
-
-impl Raw for f64 {
-    fn raw(&self) -> String {
-        format!("0x{:016x}", self.to_bits())
-    }
-}
-
 /// Compares every map of the catalogue with the rows that the program prints.
 struct SameBits {
     pairs: Vec<[u32; 2]>,
@@ -44,14 +28,14 @@ struct SameBits {
 }
 
 impl SameBits {
-    fn check<M: Map<Arithmetic: Arithmetic<Real: Raw>>>(&mut self, name: &str, map: M)
+    fn check<M: Map<Arithmetic: Tested>>(&mut self, name: &str, map: M)
     where
         M::Point: AsRef<[<M::Arithmetic as Arithmetic>::Real]>,
     {
         let arguments = format!("--map {name} --arithmetic {}", M::Arithmetic::NAME);
         let rows = self.pairs.iter().map(|uv| {
             let point = map.sample(*uv);
-            let components: Vec<_> = point.as_ref().iter().map(Raw::raw).collect();
+            let components: Vec<_> = point.as_ref().iter().map(|number| number.raw()).collect();
             [components.join(","), map.density(point).raw(), hex(&map.invert(point))]
         });
         let rows: Vec<_> = rows.collect();
@@ -75,7 +59,7 @@ impl SameBits {
     }
 }
 
-impl<A: Arithmetic<Real: Raw>> MapVisitor<A> for SameBits {
+impl<A: Tested> MapVisitor<A> for SameBits {
     fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
         self.check(&format!("disc-{name}"), map);
     }
@@ -95,19 +79,14 @@ impl<A: Arithmetic<Real: Raw>> MapVisitor<A> for SameBits {
     }
 }
 
-fn same_bits<A: Arithmetic<Real: Raw>>() {
+fn prints_the_bits_of_the_crate<A: Tested>() {
     let mut check = SameBits { pairs: hard_pairs(), power: " --exponent 2.5", maps: 0 };
     maps::<A>(&mut check);
-    let exponent = "2.5".parse().unwrap_or_else(|_| panic!("an exponent"));
-    power_maps::<A>(exponent, &mut check).expect("above -1");
+    power_maps::<A>(A::Parameter::exactly(2.5).unwrap(), &mut check).unwrap();
     assert_eq!(check.maps, 11);
 }
 
-#[test]
-fn every_map_prints_the_bits_of_the_crate() {
-    same_bits::<LibmF32>();
-    same_bits::<LibmF64>();
-}
+each_arithmetic!(tests prints_the_bits_of_the_crate);
 
 #[test]
 fn the_default_arithmetic_is_libm_f32() {
@@ -116,39 +95,32 @@ fn the_default_arithmetic_is_libm_f32() {
     assert_eq!(points(arguments).quiet(), named);
 }
 
-/// Whether a decimal is the shortest that reads back as exactly the raw number.
-fn exact(decimal: &str, raw: &str) -> bool {
-    let bits =
-        |digits: usize| u64::from_str_radix(&raw[2..], 16).ok().filter(|_| raw.len() == 2 + digits);
-    if let Some(bits) = bits(8) {
-        let value: f32 = decimal.parse().expect("a decimal");
-        u64::from(value.to_bits()) == bits && format!("{value:?}") == decimal
-    } else if let Some(bits) = bits(16) {
-        let value: f64 = decimal.parse().expect("a decimal");
-        value.to_bits() == bits && format!("{value:?}") == decimal
-    } else {
-        panic!("{raw}: neither f32 nor f64")
+/// That decimals are what they should be of the raw bits, on every map.
+struct Decimals;
+
+impl EachArithmetic for Decimals {
+    fn each<A: Tested>(&mut self) {
+        for map in MAPS {
+            let arguments = format!("--arithmetic {} --map {map} --density", A::NAME);
+            let (header, decimals) = points_of(&hard_pairs(), &arguments).quiet();
+            let (same_header, raws) =
+                points_of(&hard_pairs(), &format!("{arguments} --raw")).quiet();
+            assert_eq!(header, same_header);
+            assert_eq!(decimals.len(), hard_pairs().len());
+            for (decimals, raws) in decimals.iter().zip(&raws) {
+                assert_eq!(decimals.split(',').count(), header.split(',').count());
+                assert_eq!(raws.split(',').count(), header.split(',').count());
+                for (decimal, raw) in decimals.split(',').zip(raws.split(',')) {
+                    assert_eq!(decimal, A::Real::decimal(raw), "{arguments}: {raw}");
+                }
+            }
+        }
     }
 }
 
 #[test]
 fn decimals_read_back_exactly() {
-    for (arithmetic, map) in
-        AVAILABLE_ARITHMETICS.iter().flat_map(|&name| MAPS.map(|map| (name, map)))
-    {
-        let arguments = format!("--arithmetic {arithmetic} --map {map} --density");
-        let (header, decimals) = points_of(&hard_pairs(), &arguments).quiet();
-        let (same_header, raws) = points_of(&hard_pairs(), &format!("{arguments} --raw")).quiet();
-        assert_eq!(header, same_header);
-        assert_eq!(decimals.len(), hard_pairs().len());
-        for (decimals, raws) in decimals.iter().zip(&raws) {
-            assert_eq!(decimals.split(',').count(), header.split(',').count());
-            assert_eq!(raws.split(',').count(), header.split(',').count());
-            for (decimal, raw) in decimals.split(',').zip(raws.split(',')) {
-                assert!(exact(decimal, raw), "{arguments}: {decimal} is not {raw}");
-            }
-        }
-    }
+    every_arithmetic(&mut Decimals);
 }
 
 #[test]

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Reference values of every map for hard coordinates and exponents, by mpmath at 120 digits.
 
-Writes tests/vectors/maps.csv:   python3 tests/derive/maps.py > tests/vectors/maps.csv
+Writes tests/vectors/maps.csv and, for arithmetics that read 16 bits of a coordinate, maps_16.csv:
+python3 tests/derive/maps.py
 
-The formulas are the textbook's, on the exact centres (2k + 1) / 2^33, with no thought for rounding:
+The formulas are the textbook's, on the exact centres (2k + 1) / 2^33, or (2c + 1) / 2^17 of cells of 16 bits,
+with no thought for rounding:
     polar       r = sqrt v, phi = 2 pi u
     concentric  a = 2u - 1, b = 2v - 1, r the larger in magnitude, phi = pi/4 b/a or pi/2 - pi/4 a/b
     uniform     z = 1 - r^2;  cosine z = sqrt(1 - r^2);  power z = (1 - r^2)^(1 / (e + 1))
@@ -14,6 +16,7 @@ s2 is x^2 + y^2 of the point.
 
 import random
 import struct
+from pathlib import Path
 
 from mpmath import mp, mpf, cos, sin, pi, sqrt
 
@@ -83,7 +86,7 @@ WITNESSES = [
 ]
 
 
-def coordinates():
+def coordinates_32():
     """Corners, axes, diagonals, rings one cell apart, and random points."""
     chosen = [(a, b) for a in (0, HALF - 1, HALF, TOP) for b in (0, HALF - 1, HALF, TOP)]
     chosen += [(k, k) for k in EDGES] + [(k, TOP - k) for k in EDGES]
@@ -95,10 +98,32 @@ def coordinates():
     return list(dict.fromkeys(chosen))
 
 
+def coordinates_16():
+    """Corners, axes, diagonals, rings, powers of two from the edges and the centre, and random points."""
+    half, top = 1 << 15, (1 << 16) - 1
+    edges = [0, top, half - 1, half]
+    for bit in range(16):
+        for base in (1 << bit, half + (1 << bit), half - (1 << bit), top + 1 - (1 << bit)):
+            edges += [base - 1, base, base + 1]
+    edges = sorted({k for k in edges if 0 <= k <= top})
+    chosen = [(a, b) for a in (0, 1, half - 1, half, top) for b in (0, 1, half - 1, half, top)]
+    source = random.Random(2007)
+    anywhere = lambda: source.getrandbits(16)
+    for n, k in enumerate(edges):
+        # On a diagonal, on one of the two outer rings, or anywhere else, in turn.
+        rest = (source.choice((k, top - k)), source.choice((0, 1, top - 1, top)), anywhere())[n % 3]
+        chosen.append((k, rest) if source.getrandbits(1) else (rest, k))
+    chosen += [(k, k) for k in (2, 3, half - 2, half + 1, top - 2)]
+    chosen += [(anywhere(), anywhere()) for _ in range(64)]
+    return list(dict.fromkeys(chosen))
+
+
 EXPONENTS = [f32(e) for e in (-0.9, 0.0, 2.0**-149, 2.0**-24, 0.5, 1.0, 3.3, 10.0, 1e2, 106, 1e3, 1e4, 1e8)]
 EXPONENTS += [f32(2.0**100), f32(3e38)]
 # Where 1 + e rounds as badly as it can: in f32, then in f64.
 EXPONENTS += [f32(1.7881393e-7), f32(1.7947187e-4), f32(0.03), 1e-3, 1 / 3, 5 * 2.0**-54]
+# Fixed point: multiples of 2^-32 from 0 to below 2^32.
+EXPONENTS_16 = [0.0, 2.0**-32, 0.5, 1.0, 10.0, 100.0, 1e4, 1e8, 2.0**32 - 2.0**-20]
 
 
 def disc(name, u, v):
@@ -115,28 +140,39 @@ def disc(name, u, v):
     return sign * cos(phi), sign * sin(phi), r * r
 
 
-def main():
-    print("map,disc,exponent,u,v,x_hi,x_lo,y_hi,y_lo,z_hi,z_lo,s2_hi,s2_lo,density_hi,density_lo")
+def table(width, coordinates, exponents):
+    """The lines of a table of coordinates of `width` bits."""
+    yield "map,disc,exponent,u,v,x_hi,x_lo,y_hi,y_lo,z_hi,z_lo,s2_hi,s2_lo,density_hi,density_lo"
     for name in ("polar", "concentric"):
-        for ku, kv in coordinates():
-            u, v = (mpf(2 * k + 1) / 2**33 for k in (ku, kv))
+        for ku, kv in coordinates:
+            u, v = (mpf(2 * k + 1) / 2 ** (width + 1) for k in (ku, kv))
             c, s, r2 = disc(name, u, v)
             rim = 1 - r2
             rows = [("disc", "", r2, None, 1 / pi)]
             rows.append(("uniform", "", 1 - rim * rim, rim, 1 / (2 * pi)))
             rows.append(("cosine", "", r2, sqrt(rim), sqrt(rim) / pi))
-            for value in EXPONENTS:
+            for value in exponents:
                 e = mpf(value)
                 z = rim ** (1 / (e + 1))
                 density = (e + 1) / (2 * pi) * rim ** (e / (e + 1))
                 rows.append(("power", bits(value), 1 - z * z, z, density))
+            digits = width // 4
             for kind, exponent, s2, z, density in rows:
                 radius = sqrt(s2)
                 z = pair(z) if z is not None else ","
-                print(
-                    f"{kind},{name},{exponent},{ku:08x},{kv:08x},{pair(radius * c)},"
+                yield (
+                    f"{kind},{name},{exponent},{ku:0{digits}x},{kv:0{digits}x},{pair(radius * c)},"
                     f"{pair(radius * s)},{z},{pair(s2)},{pair(density)}"
                 )
+
+
+def main():
+    vectors = Path(__file__).parent.parent / "vectors"
+    for name, *of in (
+        ("maps.csv", 32, coordinates_32(), EXPONENTS),
+        ("maps_16.csv", 16, coordinates_16(), EXPONENTS_16),
+    ):
+        (vectors / name).write_text("".join(f"{line}\n" for line in table(*of)))
 
 
 main()

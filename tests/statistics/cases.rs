@@ -1,35 +1,13 @@
 //! The list of what is tested: the catalogue's maps, and power lobes, in each arithmetic, as
 //! functions of f64.
 
-use hemidisc::{
-    LibmF32, LibmF64, Map,
-    arithmetic::Arithmetic,
-    catalogue::{MapVisitor, maps, power_maps},
-};
+use crate::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic, peak};
+use hemidisc::arithmetic::contract::{Contract, contract};
+use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, MapVisitor, maps, power_maps};
+use hemidisc::{Map, arithmetic::Arithmetic};
 
 /// Exponents of the power lobes; 0 is uniform and 1 cosine.
 const EXPONENTS: [f64; 5] = [0.0, 0.5, 1.0, 10.0, 1000.0];
-
-/// A component of a point, to and from f64.
-pub(crate) trait Slot: Copy + Into<f64> {
-    /// Half the distance from 1 to the next number.
-    const EPSILON: f64;
-    fn nearest(value: f64) -> Self;
-}
-
-impl Slot for f32 {
-    const EPSILON: f64 = f32::EPSILON as f64 / 2.0;
-    fn nearest(value: f64) -> Self {
-        value as f32
-    }
-}
-
-impl Slot for f64 {
-    const EPSILON: f64 = f64::EPSILON / 2.0;
-    fn nearest(value: f64) -> Self {
-        value
-    }
-}
 
 /// A map under test. A point of the disc has z = 0.
 pub(crate) struct Case<'a> {
@@ -38,9 +16,37 @@ pub(crate) struct Case<'a> {
     pub(crate) lobe: Option<f64>,
     /// Whether u is the angle and v the squared radius, so that cells of both are strata.
     pub(crate) polar: bool,
-    pub(crate) epsilon: f64,
+    /// The error of the density at a given point, relative; in fixed point in parts of the peak, and 1 LSB.
+    pub(crate) density_error: f64,
+    /// Whether numbers are counts of LSBs, so that what is small is coarse.
+    pub(crate) fixed: bool,
+    contract: Contract,
     pub(crate) sample: &'a dyn Fn([u32; 2]) -> [f64; 3],
+    /// The point as the arithmetic stores it.
+    pub(crate) store: &'a dyn Fn([f64; 3]) -> [f64; 3],
+    /// The density at the stored point.
     pub(crate) density: &'a dyn Fn([f64; 3]) -> f64,
+}
+
+impl Case<'_> {
+    /// The error that a component of a point may have.
+    pub(crate) fn position(&self) -> f64 {
+        self.contract.position * self.contract.unit
+    }
+
+    /// How far a point may be off in widths of a lobe of exponent `e`, whose width is about 1 / sqrt(e + 1);
+    /// an error that is relative to theta is so to the width. On the disc, in radii.
+    pub(crate) fn shift(&self, e: f64) -> f64 {
+        let Contract { relative, position, norm, theta, unit, .. } = self.contract;
+        let error = if self.lobe.is_some() { theta } else { norm.max(position) };
+        error * unit * if relative { 1.0 } else { (e + 1.0).sqrt() }
+    }
+
+    /// The error of a density at a given point, in parts of the peak of a lobe of exponent `e`: fixed point
+    /// has also rounded the point.
+    pub(crate) fn density_error(&self, e: f64) -> f64 {
+        self.density_error + if self.fixed { self.shift(e) } else { 0.0 }
+    }
 }
 
 struct Cases<'a> {
@@ -48,18 +54,28 @@ struct Cases<'a> {
     exponent: f64,
 }
 
-impl<A: Arithmetic<Real: Slot>> MapVisitor<A> for Cases<'_> {
+/// Per unit of area or of solid angle, whatever the arithmetic counts in.
+fn scale<A: Arithmetic>(kind: &str, e: f64) -> f64 {
+    if A::ABSOLUTE_DENSITY { 1.0 } else { peak(kind, e) }
+}
+
+impl<A: Tested> MapVisitor<A> for Cases<'_> {
     fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
+        let scale = scale::<A>("disc", 0.0);
+        let stored = |x: f64| A::Real::nearest(x);
         (self.run)(&Case {
             name: format!("{} disc, {}", name, A::NAME),
             lobe: None,
             polar: name == "polar",
-            epsilon: A::Real::EPSILON,
+            density_error: A::DENSITY_ERROR,
+            fixed: A::Real::FIXED,
+            contract: contract(A::NAME, "disc").unwrap(),
             sample: &|uv| {
                 let [x, y] = map.sample(uv);
                 [x.into(), y.into(), 0.0]
             },
-            density: &|[x, y, _]| map.density([x, y].map(A::Real::nearest)).into(),
+            store: &|point| point.map(|x| stored(x).into()),
+            density: &|[x, y, _]| map.density([x, y].map(stored)).into() * scale,
         });
     }
 
@@ -74,34 +90,43 @@ impl<A: Arithmetic<Real: Slot>> MapVisitor<A> for Cases<'_> {
             "cosine" => 1.0,
             _ => self.exponent,
         };
+        let scale = scale::<A>(name, exponent);
+        let stored = |x: f64| A::Real::nearest(x);
         (self.run)(&Case {
             name: format!("{name} lobe of {exponent} over {disc}, {}", A::NAME),
             lobe: Some(exponent),
             polar: disc == "polar",
-            epsilon: A::Real::EPSILON,
+            density_error: A::DENSITY_ERROR,
+            fixed: A::Real::FIXED,
+            contract: contract(A::NAME, name).unwrap(),
             sample: &|uv| map.sample(uv).map(Into::into),
-            density: &|direction| map.density(direction.map(A::Real::nearest)).into(),
+            store: &|point| point.map(|x| stored(x).into()),
+            density: &|direction| map.density(direction.map(stored)).into() * scale,
         });
     }
 }
 
-fn of_arithmetic<A: Arithmetic<Real: Slot, Parameter: Slot>>(run: &mut dyn FnMut(&Case)) {
-    maps::<A>(&mut Cases { run, exponent: f64::NAN });
-    for exponent in EXPONENTS {
-        power_maps::<A>(A::Parameter::nearest(exponent), &mut Cases { run, exponent }).unwrap();
+/// Every case of each arithmetic.
+struct Each<'a>(&'a mut dyn FnMut(&Case));
+
+impl EachArithmetic for Each<'_> {
+    fn each<A: Tested>(&mut self) {
+        maps::<A>(&mut Cases { run: self.0, exponent: f64::NAN });
+        for exponent in EXPONENTS {
+            let parameter = A::Parameter::exactly(exponent).unwrap();
+            power_maps::<A>(parameter, &mut Cases { run: self.0, exponent }).unwrap();
+        }
     }
 }
 
 /// Runs a test on every case.
 pub(crate) fn every_case(mut run: impl FnMut(&Case)) {
     let mut count = 0;
-    let mut counted = |case: &Case| {
+    every_arithmetic(&mut Each(&mut |case| {
         count += 1;
         run(case);
-    };
-    of_arithmetic::<LibmF64>(&mut counted);
-    of_arithmetic::<LibmF32>(&mut counted);
-    assert_eq!(count, 2 * (6 + 2 * EXPONENTS.len()), "cases");
+    }));
+    assert_eq!(count, AVAILABLE_ARITHMETICS.len() * (6 + 2 * EXPONENTS.len()), "cases");
 }
 
 /// Runs a test on every lobe.

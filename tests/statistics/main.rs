@@ -6,11 +6,14 @@
 //! | `cells` | as many points in each of 16 x 16 equally likely cells as chance puts there |
 //! | `density` | densities integrate to 1, are 0 outside, and are those of the samples |
 //! | `rejection` | survivors are uniform, and pi / 4 of the candidates |
-//! | `cases` | the list: every map and lobe over either disc map, in both libm arithmetics |
+//! | `cases` | the list: every map and lobe over either disc map, in each arithmetic |
 //!
 //! Cells and integrals are worked in f64 from the formulas, not from the crate's code.
 #![cfg(feature = "libm")]
 
+#[macro_use]
+#[path = "../arithmetics/mod.rs"]
+mod arithmetics;
 mod cases;
 mod cells;
 mod chi_square;

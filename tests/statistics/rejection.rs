@@ -1,9 +1,9 @@
 //! Rejection: the survivors are the candidates inside the disc, pi / 4 of them, uniform on it.
 
 use super::chi_square::{assert_random, statistic};
+use crate::arithmetics::Tested;
 use hemidisc::{
-    LibmF32, LibmF64,
-    arithmetic::Arithmetic,
+    LibmF32,
     disc::Rejection,
     sequence::{Random, Regular, Sequence, SobolOwen},
 };
@@ -25,7 +25,7 @@ fn counts<R: Into<f64>>(points: impl Iterator<Item = [R; 2]>) -> [u32; 256] {
     counts
 }
 
-fn assert_uniform_survivors<A: Arithmetic<Real: Into<f64>>>() {
+fn survivors_are_uniform<A: Tested>() {
     for seed in [0, 1, 0xdead_beef] {
         let (random, scrambled) = (Random::new(seed), SobolOwen::new(seed));
         let what = |of: &str| format!("{of}, {}, seed {seed:#x}", A::NAME);
@@ -61,15 +61,7 @@ fn assert_uniform_survivors<A: Arithmetic<Real: Into<f64>>>() {
     }
 }
 
-#[test]
-fn survivors_are_uniform_f32() {
-    assert_uniform_survivors::<LibmF32>();
-}
-
-#[test]
-fn survivors_are_uniform_f64() {
-    assert_uniform_survivors::<LibmF64>();
-}
+each_arithmetic!(tests survivors_are_uniform);
 
 /// The exact count of centres of a grid inside the disc: (2c + 1 - m)^2 + (2r + 1 - m)^2 <= m^2.
 #[test]

@@ -25,7 +25,7 @@ pub struct Q15Disc {
 impl Q15Disc {
     /// The point, to the nearest LSB of each component.
     #[inline(always)]
-    pub(super) const fn store(self) -> [Q15; 2] {
+    pub(in crate::arithmetic) const fn store(self) -> [Q15; 2] {
         [rounded(self.magnitude[0], self.sign[0]), rounded(self.magnitude[1], self.sign[1])]
     }
 

@@ -3,23 +3,24 @@
 //!
 //! The coefficients are minimax on [0, 1] (tests/derive/q15_div.sollya), the whole a little inward.
 
-use super::disc::{Q15Disc, fold};
+use super::fixed::Q15;
+use super::q15::{Q15Disc, fold};
 
-/// The arithmetic of [`Q15`](super::Q15) with a concentric kernel for cores that divide: no table.
+/// The arithmetic of [`Q15`] with a concentric kernel for cores that divide: no table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Q15Div;
 
 impl Q15Div {
     /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at compile time.
     #[inline(always)]
-    pub const fn concentric(uv: [u32; 2]) -> [super::Q15; 2] {
+    pub const fn concentric(uv: [u32; 2]) -> [Q15; 2] {
         concentric(uv).store()
     }
 
     /// The polar map, as [`Polar`](crate::Polar) stores it.
     #[inline(always)]
-    pub const fn polar(uv: [u32; 2]) -> [super::Q15; 2] {
-        super::Q15::polar(uv)
+    pub const fn polar(uv: [u32; 2]) -> [Q15; 2] {
+        Q15::polar(uv)
     }
 }
 
