@@ -238,7 +238,7 @@ fn sweep<A: Arithmetic<Real = Q15, Parameter = FixedExponent>>() {
     let mut found = Vec::new();
     let mut sweep = Sweep { found: &mut found, exponent: f64::NAN };
     maps::<A>(&mut sweep);
-    for e in [1, 10, 100] {
+    for e in [0, 1, 10, 100] {
         sweep.exponent = e.into();
         power_maps::<A>(e.into(), &mut sweep).unwrap();
     }

@@ -87,8 +87,8 @@ const fn turned(a: u32, b: u32) -> (u32, u32) {
     (x, y)
 }
 
-/// The largest radius of the polar map, in 2^-16.
-const RIM: u32 = 0xfffe;
+/// 1 in 2^-16, of 16 bits.
+const ALMOST_1: u32 = 0xffff;
 
 #[inline(always)]
 pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
@@ -106,11 +106,8 @@ pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
     let cos = (((lines.a as u32) << 14) - t * lines.b as u32 + (1 << 12)) >> 13;
     let sin = (((lines.c as u32) << 14) + t * lines.d as u32 + (1 << 12)) >> 13;
     let r2 = (v >> 16 << 16) | 0x8000;
-    // The outermost circles have no room for what rounding adds: 1 LSB of radius is given up.
-    let r = match root_of(r2) {
-        r if r < RIM => r,
-        _ => RIM,
-    };
+    let cos = if cos < ALMOST_1 { cos } else { ALMOST_1 };
+    let r = root_of(r2);
     let (x, y) = ((cos * r) >> 1, (sin * r) >> 1);
     Q15Disc {
         magnitude: if steep { [y, x] } else { [x, y] },

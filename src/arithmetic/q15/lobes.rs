@@ -94,12 +94,14 @@ const fn lifted(disc: Q15Disc, factor: u32, shift: u32, z: Q15) -> [Q15; 3] {
     [rounded(x, disc.sign[0]), rounded(y, disc.sign[1]), z]
 }
 
-/// The direction of the disc point, by 1 / r in 2^-15, times sin theta = sine 2^-12 2^-shift < 1, and z.
+/// The disc point times (1 / r) sin theta, of 1 / r = inverse 2^-15 and sin theta = sine 2^-12 2^-shift < 1; and z.
+/// The product is below 2^32: with 1 / r exact it is at most 2^16 sine, and three units of sine, at least, are
+/// more than what rounding adds.
 #[inline(always)]
 const fn turned(disc: Q15Disc, inverse: u32, sine: u32, shift: u32, z: Q15) -> [Q15; 3] {
+    let factor = (inverse * sine + (1 << 14)) >> 15;
     let [x, y] = disc.magnitude;
-    let x = ((halved(x) * inverse) >> 15) * sine;
-    let y = ((halved(y) * inverse) >> 15) * sine;
+    let (x, y) = (halved(x) * factor, halved(y) * factor);
     let (x, y) = match shift.checked_sub(3) {
         Some(shift) => (x >> shift, y >> shift),
         // Two shifts at least: see `power`.
@@ -168,9 +170,11 @@ pub(in crate::arithmetic) const fn power(exponent: Q15Exponent, disc: Q15Disc) -
             shift += 1;
         }
         let sine = (((root(part) * bend + (1 << 15)) >> 16) * spread + (1 << 15)) >> 16;
+        let sine = if sine < 0xfffd { sine } else { 0xfffd };
         return turned(disc, inverse, sine, shift, height(z));
     }
-    // z <= 1/2: nothing cancels. The root of 1 - 0 is the last of its table, for 2^32 is 0.
-    let sine = root((z * z).wrapping_neg()) - 1;
-    turned(disc, inverse, sine, 4, height(z))
+    // z <= 1/2: nothing cancels. The root of 1 - 0 is the last of its table, for 2^32 is 0. Next to the rim
+    // an LSB makes room for what rounding adds.
+    let room = if z < 1 << 10 { 2 } else { 0 };
+    turned(disc, inverse, root((z * z).wrapping_neg()) - room, 4, height(z))
 }
