@@ -8,7 +8,7 @@
 
 use hemidisc::arithmetic::{Arithmetic, FixedExponent, contract::contract};
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
-use hemidisc::{Map, Q15, Q15Div};
+use hemidisc::{Concentric, Map, Points, Power, Q15, Q15Div};
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::LazyLock;
@@ -265,4 +265,50 @@ fn every_coordinate_of_q15() {
 #[test]
 fn every_coordinate_of_q15_div() {
     sweep::<Q15Div>();
+}
+
+/// What comes out where 16 bits cannot hold the answer: the pole and 16 LSB about it, each to half an LSB.
+#[test]
+fn little_is_left_of_the_lobe_at_e_1e8() {
+    let exponent = FixedExponent::from(100_000_000);
+    let map = Power::<Q15>::new(exponent).unwrap();
+    let (mut largest, mut worst) = (0, 0.0_f64);
+    for major in radii(MAGNITUDES) {
+        let a = f64::from(2 * major + 1) / f64::from(CELLS);
+        let circle = circle("power", 1e8, a * a, (1.0 - a) * (1.0 + a));
+        for minor in (0..=major).step_by(7) {
+            let [x, y, z] = map.sample([(MAGNITUDES + major) << 16, (MAGNITUDES + minor) << 16]);
+            assert_eq!(z, Q15::MAX);
+            let t = f64::from(2 * minor + 1) / f64::from(2 * major + 1);
+            let (sin, cos) = (FRAC_PI_4 * t).sin_cos();
+            for (found, exact) in [(x, cos), (y, sin)] {
+                let found = f64::from(found.to_bits());
+                worst = worst.max((found - circle.s * exact * ONE).abs());
+                largest = largest.max(found as i32);
+            }
+        }
+    }
+    let rim = Power::<Q15, _>::polar(exponent).unwrap().sample([0, u32::MAX]);
+    assert_eq!(rim, [Q15::from_bits(16), Q15::ZERO, Q15::MAX]);
+    println!("e = 1e8: at most {largest} LSB from the pole, within {worst:.3} LSB");
+    assert!(largest == 15 && worst > 0.49 && worst <= 0.51, "{largest}, {worst}");
+}
+
+#[cfg(feature = "bytemuck")]
+#[test]
+fn a_buffer_of_numbers_is_one_of_their_bits() {
+    use hemidisc::{Q31, sequence::Sobol};
+    let points = Points::new(Sobol::new(0), Concentric::<Q15>::new());
+    let buffer: [[Q15; 2]; 8] = points.to_array().unwrap();
+    let bits: &[i16] = bytemuck::cast_slice(&buffer);
+    assert!(
+        bits.iter().eq(buffer
+            .as_flattened()
+            .iter()
+            .map(|c| c.to_bits())
+            .collect::<Vec<_>>()
+            .iter())
+    );
+    let bits: [i32; 2] = bytemuck::cast([Q31::LSB, -Q31::LSB]);
+    assert_eq!(bits, [1, -1]);
 }

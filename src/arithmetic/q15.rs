@@ -8,7 +8,7 @@
 //! inverses, which are not for the inner loop, are those of Q31 on the widened point.
 //!
 //! The lobes narrow as the exponent grows, and at e = 1e8 a direction is (x, y, 1 - LSB) with x and y of at most
-//! 20 LSB: on the lobe to half an LSB, but on few of its directions.
+//! 16 LSB: right to 0.51 of one, but with few directions to tell apart, and theta no better than that.
 
 use super::fixed::{FixedExponent, Q15, Q31};
 use super::{Arithmetic, Q15Div, Q31Disc, q15_div};
