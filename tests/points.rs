@@ -7,7 +7,8 @@ use hemidisc::sequence::{
     Stored,
 };
 use hemidisc::{
-    Concentric, Cosine, Domain, Error, Frame, LibmF32, LibmF64, Map, Points, Polar, UnitSquare,
+    Concentric, Cosine, Domain, Error, FastF32, Frame, LibmF32, LibmF64, Map, Points, Polar, Power,
+    Uniform, UnitSquare,
 };
 use proptest::prelude::*;
 use std::fmt::Debug;
@@ -146,6 +147,11 @@ proptest! {
         check_range(Sobol::new(2), turned, start, &ops);
         check_range(R2::new(1), Polar::<LibmF32>::new(), start, &ops);
         check_range(Halton::new(), disc, start, &ops);
+        // Blocks in passes, for exponents on both sides of where the kernel scales them.
+        for e in [-0.5, 0.0, 50.0, 1e20] {
+            check_range(Sobol::new(3), Power::<FastF32>::new(e).unwrap(), start, &ops);
+        }
+        check_range(Sobol::new(4), Uniform::<FastF32, _>::polar(), start, &ops);
         let start = start % 400;
         check_range(Jittered::new(20, 25, 1).unwrap(), disc, start, &ops);
         check_range(Hammersley::new(473).unwrap(), disc, start, &ops);
@@ -153,6 +159,42 @@ proptest! {
         check_range(Stored::new(&stored).unwrap(), disc, start, &ops);
         let shuffled = Shuffled::new(Correlated::new(20, 25, 1).unwrap(), Domain::new(1));
         check_range(shuffled, disc, start, &ops);
+    }
+}
+
+/// Buffers of the given lengths, filled, against the slice.
+fn check_components<M: Map<Point = [f32; D]>, const D: usize>(
+    map: M,
+    start: u32,
+    lengths: [usize; D],
+) {
+    let count = 400.min(u32::MAX - start);
+    let points = Points::of_range(Sobol::new(1), map, start, count).unwrap();
+    let mut buffers = lengths.map(|length| vec![7.0; length]);
+    let filled = points.fill_components(buffers.each_mut().map(Vec::as_mut_slice));
+    let shortest = *lengths.iter().min().unwrap();
+    assert_eq!(filled, shortest.min(count as usize));
+    let model = slice(Sobol::new(1), map, start, count);
+    for (axis, buffer) in buffers.iter().enumerate() {
+        for (index, value) in buffer.iter().enumerate() {
+            let expected = if index < filled { model[index][axis] } else { 7.0 };
+            assert_eq!(value.to_bits(), expected.to_bits(), "{axis} of {index} from {start}");
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn components_are_those_of_the_points(
+        start in 0..1000_u32,
+        end in any::<bool>(),
+        lengths in [0..450_usize, 0..450, 0..450],
+    ) {
+        let start = if end { u32::MAX - start } else { start };
+        let [x, y, z] = lengths;
+        check_components(Concentric::<LibmF32>::new(), start, [x, y]);
+        check_components(Concentric::<FastF32>::new(), start, [x, y]);
+        check_components(Power::<FastF32>::new(50.0).unwrap(), start, [x, y, z]);
     }
 }
 

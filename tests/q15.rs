@@ -61,6 +61,8 @@ fn circle(kind: &str, e: f64, r2: f64, rim: f64) -> Circle {
 
 /// One map over all its coordinates.
 struct Sweep<'a> {
+    /// The disc map to sweep.
+    over: &'static str,
     found: &'a mut Vec<(String, Found)>,
     exponent: f64,
 }
@@ -178,6 +180,9 @@ impl Sweep<'_> {
     where
         M: Map<Point = [Q15; D]>,
     {
+        if disc != self.over {
+            return;
+        }
         let polar = disc == "polar";
         let exponent = self.exponent;
         let rows = radii(if polar { CELLS } else { MAGNITUDES });
@@ -234,14 +239,15 @@ impl<A: Arithmetic<Real = Q15>> MapVisitor<A> for Sweep<'_> {
     }
 }
 
-fn sweep<A: Arithmetic<Real = Q15, Parameter = FixedExponent>>() {
+fn sweep<A: Arithmetic<Real = Q15, Parameter = FixedExponent>>(over: &'static str) {
     let mut found = Vec::new();
-    let mut sweep = Sweep { found: &mut found, exponent: f64::NAN };
+    let mut sweep = Sweep { over, found: &mut found, exponent: f64::NAN };
     maps::<A>(&mut sweep);
     for e in [0, 1, 10, 100] {
         sweep.exponent = e.into();
         power_maps::<A>(e.into(), &mut sweep).unwrap();
     }
+    assert_eq!(found.len(), 7);
     for kind in ["disc", "uniform", "cosine", "power"] {
         let contract = contract(A::NAME, kind).unwrap();
         let mut worst = Found::default();
@@ -251,20 +257,27 @@ fn sweep<A: Arithmetic<Real = Q15, Parameter = FixedExponent>>() {
             ("norm", worst.norm, contract.norm),
             ("theta", worst.theta, contract.theta),
         ] {
-            let fresh = bound == 0.0 || bound < 2.0 * error;
+            // A contract is over both disc maps, so one of them may have much less.
+            let fresh = bound == 0.0 || bound < 2.5 * error;
             assert!(fresh, "{} {kind}: {name} bound {bound} is stale: {error}", A::NAME);
         }
     }
 }
 
 #[test]
-fn every_coordinate_of_q15() {
-    sweep::<Q15>();
+fn every_coordinate_over_polar() {
+    sweep::<Q15>("polar");
 }
 
 #[test]
-fn every_coordinate_of_q15_div() {
-    sweep::<Q15Div>();
+fn every_coordinate_over_concentric() {
+    sweep::<Q15>("concentric");
+}
+
+// Over polar Q15Div has the kernels of Q15.
+#[test]
+fn every_coordinate_over_the_divided_concentric() {
+    sweep::<Q15Div>("concentric");
 }
 
 /// What comes out where 16 bits cannot hold the answer: the pole and 16 LSB about it, each to half an LSB.
