@@ -1,7 +1,7 @@
-//! The concentric map with a division: with t = b/a and q = t^2, x = a C(q) and y = b S(q), where C and S are cosine and sine of
-//! pi/4 t with their roots and factors taken out, of degree 2.
+//! The concentric map with a division: with t = b/a and q = t^2, x = a C(q) and y = b S(q), where
+//! C(q) = cos(pi/4 t) and S(q) = sin(pi/4 t) / t to degree 2.
 //!
-//! The coefficients are minimax on [0, 1] (tests/derive/q15_div.sollya), the whole a little inward.
+//! The coefficients are minimax on [0, 1], moved a little inward (tests/derive/q15_div.sollya).
 
 use super::fixed::Q15;
 use super::q15::{Q15Disc, fold};

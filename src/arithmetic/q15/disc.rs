@@ -2,9 +2,9 @@
 //!
 //! **Coordinates.** The top 16 bits are the cell; its centre is 2u - 1 = +-a / 2^16 with an odd a < 2^16.
 //!
-//! **Concentric.** With a the larger magnitude, b the smaller and t = b/a, cos(pi/4 t) is a line in t on each of
-//! 128 buckets, within 0.1 LSB, and so x = a (A - B t) = a A - b B: no quotient, only the bucket of t, and a
-//! wrong neighbour's line does no harm. A table of 256 reciprocals finds it.
+//! **Concentric.** With a the larger magnitude, b the smaller and t = b/a, cos(pi/4 t) is a line in t on
+//! each of 128 buckets, within 0.1 LSB, and so x = a (A - B t) = a A - b B: no quotient, only the bucket
+//! of t, and a near neighbour's line does little harm. A table of 256 reciprocals finds it.
 //!
 //! **Polar.** The angle within the octant is exact, and so is its bucket; r is a root from a table.
 

@@ -1,13 +1,14 @@
 //! The lobes of Q15, with logarithms to base 2.
 //!
-//! **Power.** With L = -log2(1 - r^2) and lambda = L / (e + 1): z = 2^-lambda, sin^2 theta = 1 - 4^-lambda, and
-//! what turns the disc point into x and y is sin theta / r. At the pole that is 0/0, and 1 - z^2 has lost all digits; but with
+//! **Power.** With L = -log2(1 - r^2) and lambda = L / (e + 1), z = 2^-lambda and
+//! sin^2 theta = 1 - 4^-lambda, and what turns the disc point into x and y is sin theta / r. At the pole that
+//! is 0/0, and 1 - z^2 has lost all digits; but with
 //!
 //! - l(r^2) = L / r^2, from 1 / ln 2 up, and
 //! - g(lambda) = (1 - 4^-lambda) / (2 ln 2 lambda), from 1 down,
 //!
-//! (sin theta / r)^2 = (2 ln 2 / (e + 1)) l g: three factors without a singularity, whose roots are a prepared
-//! number and two tables. Where r^2 >= 1/2, sin theta comes from lambda and 1 / r from a table.
+//! (sin theta / r)^2 = (2 ln 2 / (e + 1)) l g: three factors without a singularity, whose roots are a
+//! prepared number and two tables. Where r^2 >= 1/2, sin theta comes from lambda and 1 / r from a table.
 
 use super::super::Q31Exponent;
 use super::super::fixed::{FixedExponent, Q15};
@@ -94,9 +95,9 @@ const fn lifted(disc: Q15Disc, factor: u32, shift: u32, z: Q15) -> [Q15; 3] {
     [rounded(x, disc.sign[0]), rounded(y, disc.sign[1]), z]
 }
 
-/// The disc point times (1 / r) sin theta, of 1 / r = inverse 2^-15 and sin theta = sine 2^-12 2^-shift < 1; and z.
-/// The product is below 2^32: with 1 / r exact it is at most 2^16 sine, and three units of sine, at least, are
-/// more than what rounding adds.
+/// The disc point times (1 / r) sin theta, of 1 / r = inverse 2^-15 and sin theta = sine 2^-12 2^-shift
+/// < 1; and z. The product is below 2^32: with 1 / r exact it is at most 2^16 sine, and the three units that
+/// sine is from 2^16, at least, are more than what rounding adds.
 #[inline(always)]
 const fn turned(disc: Q15Disc, inverse: u32, sine: u32, shift: u32, z: Q15) -> [Q15; 3] {
     let factor = (inverse * sine + (1 << 14)) >> 15;
@@ -161,8 +162,8 @@ pub(in crate::arithmetic) const fn power(exponent: Q15Exponent, disc: Q15Disc) -
     let inverse = interpolate(&INVERSE_ROOT, (r2 << 1) >> 9);
     let z = exp2_neg(lambda);
     if lambda < 1 << 16 {
-        // sin theta = spread sqrt L sqrt g. Of sqrt L the 16 bits from L / 64 on: 2^-13 2^-shift. L >= 16 has none, but
-        // there spread < 1/2 has 2 shifts; L >= 4 has 1 and spread 1; else there are 2.
+        // sin theta = spread sqrt L sqrt g, with the root of L / 64: 2^-13 2^-shift. There are two shifts at
+        // least: for L < 4 in the root; for L >= 16, where 1 / (e + 1) < 1/16, in the spread; else one in each.
         let bend = interpolate(&BEND, lambda << 6);
         let (mut part, mut shift) = (log << 10, exponent.spread_shift as u32);
         while part < 1 << 30 {
