@@ -8,7 +8,7 @@
 
 use hemidisc::arithmetic::{Arithmetic, FixedExponent, contract::contract};
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
-use hemidisc::{Concentric, Map, Points, Power, Q15, Q15Div};
+use hemidisc::{Map, Power, Q15, Q15Div};
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::LazyLock;
@@ -310,7 +310,7 @@ fn little_is_left_of_the_lobe_at_e_1e8() {
 #[cfg(feature = "bytemuck")]
 #[test]
 fn a_buffer_of_numbers_is_one_of_their_bits() {
-    use hemidisc::{Q31, sequence::Sobol};
+    use hemidisc::{Concentric, Points, Q31, sequence::Sobol};
     let points = Points::new(Sobol::new(0), Concentric::<Q15>::new());
     let buffer: [[Q15; 2]; 8] = points.to_array().unwrap();
     let bits: &[i16] = bytemuck::cast_slice(&buffer);
