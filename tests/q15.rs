@@ -243,11 +243,13 @@ fn sweep<A: Arithmetic<Real = Q15, Parameter = FixedExponent>>(over: &'static st
     let mut found = Vec::new();
     let mut sweep = Sweep { over, found: &mut found, exponent: f64::NAN };
     maps::<A>(&mut sweep);
-    for e in [0, 1, 10, 100] {
+    // e = 0 is the uniform lobe by the longer way: with the sample of a plain run it is worth its time.
+    let full = std::env::var_os("HEMIDISC_EXHAUSTIVE").is_some();
+    for e in [0, 1, 10, 100].into_iter().skip(usize::from(full)) {
         sweep.exponent = e.into();
         power_maps::<A>(e.into(), &mut sweep).unwrap();
     }
-    assert_eq!(found.len(), 7);
+    assert_eq!(found.len(), 7 - usize::from(full));
     for kind in ["disc", "uniform", "cosine", "power"] {
         let contract = contract(A::NAME, kind).unwrap();
         let mut worst = Found::default();
