@@ -10,23 +10,13 @@
 
 #[macro_use]
 mod arithmetics;
+#[path = "golden/lines.rs"]
+mod lines;
 
 use arithmetics::Tested;
-use hemidisc::arithmetic::Arithmetic;
-use hemidisc::catalogue::{
-    AVAILABLE_ARITHMETICS, MapVisitor, SequenceVisitor, maps, power_maps, sequences,
-};
-use hemidisc::disc::Rejection;
-use hemidisc::invariant::{Digest, Digestible};
-use hemidisc::sequence::{Sequence, Shuffled, SobolOwen, Stored};
-use hemidisc::{Domain, Map, Points, UnitSquare};
+use hemidisc::catalogue::AVAILABLE_ARITHMETICS;
 use std::fmt::Write;
 use std::path::Path;
-
-/// Points of each digest: not a power of two, so that strata round and blocks have a tail.
-const COUNT: u32 = 300;
-const SEED: u32 = 7;
-const EXPONENTS: [&str; 5] = ["0", "0.5", "1", "10", "10000"];
 
 /// Compares with the file, or writes it where that is asked for.
 fn compare(name: &str, text: &str) {
@@ -40,118 +30,18 @@ fn compare(name: &str, text: &str) {
     assert_eq!(golden.lines().count(), text.lines().count(), "{name}: lines");
 }
 
-fn coordinates<S: Sequence>(sequence: S, count: u32) -> Vec<[u32; 2]> {
-    sequence.iter(0).take(count as usize).collect()
-}
-
-/// A line for each set, of several sizes and seeds.
-struct Squares<'a> {
-    text: &'a mut String,
-    label: String,
-    count: u32,
-}
-
-impl SequenceVisitor for Squares<'_> {
-    fn visit<S: Sequence>(&mut self, name: &'static str, sequence: S) {
-        let mut digest = Digest::new();
-        for point in coordinates(sequence, self.count) {
-            digest.value_of(point);
-        }
-        writeln!(self.text, "{name} {} {:016x}", self.label, digest.value()).unwrap();
-    }
-}
-
 #[test]
 fn sequences_are_as_recorded() {
     let mut text = String::new();
-    for count in [1, 16, 256, 300, 4096] {
-        for seed in [0, SEED] {
-            let label = format!("count={count} seed={seed}");
-            sequences(count, seed, &mut Squares { text: &mut text, label, count }).unwrap();
-        }
-    }
+    lines::squares(&mut |line| writeln!(text, "{line}").unwrap()).unwrap();
     compare("square.txt", &text);
-}
-
-/// A line for each sequence, shuffled.
-struct Shuffles<'a>(&'a mut String);
-
-impl SequenceVisitor for Shuffles<'_> {
-    fn visit<S: Sequence>(&mut self, name: &'static str, sequence: S) {
-        let mut digest = Digest::new();
-        for point in coordinates(Shuffled::new(sequence, Domain::new(SEED)), COUNT) {
-            digest.value_of(point);
-        }
-        writeln!(self.0, "shuffled {name} {:016x}", digest.value()).unwrap();
-    }
 }
 
 #[test]
 fn domains_are_as_recorded() {
     let mut text = String::new();
-    let root = Domain::new(SEED);
-    for (name, domain) in [
-        ("seed 0", Domain::new(0)),
-        ("seed 7", root),
-        ("child", root.child(1)),
-        ("grandchild", root.child(1).child(2)),
-        ("pixel", root.pixel(1, 2)),
-        ("split", root.split(1, 4).domain()),
-    ] {
-        let (mut digest, stream) = (Digest::new(), domain.stream());
-        digest.value_of(domain.seed());
-        for index in (0..COUNT).chain([u32::MAX]) {
-            digest.value_of(SobolOwen::in_domain(domain).at(index));
-            digest.value_of([stream.at(index), stream.choose(index, 10)]);
-        }
-        writeln!(text, "domain {name} {:016x}", digest.value()).unwrap();
-    }
-    sequences(COUNT, SEED, &mut Shuffles(&mut text)).unwrap();
+    lines::domains(&mut |line| writeln!(text, "{line}").unwrap()).unwrap();
     compare("domain.txt", &text);
-}
-
-/// The coordinates of every sequence.
-#[derive(Default)]
-struct Collect(Vec<(&'static str, Vec<[u32; 2]>)>);
-
-impl SequenceVisitor for Collect {
-    fn visit<S: Sequence>(&mut self, name: &'static str, sequence: S) {
-        self.0.push((name, coordinates(sequence, COUNT)));
-    }
-}
-
-/// A line for each map of an arithmetic over one sequence.
-struct Mapped<'a> {
-    text: &'a mut String,
-    sequence: &'static str,
-    stored: Stored<'a>,
-    exponent: &'static str,
-}
-
-impl Mapped<'_> {
-    fn line<M: Map<Point: Digestible>>(&mut self, map: &str, disc: &str, mapping: M) {
-        let mut digest = Digest::new();
-        for point in &Points::new(self.stored, mapping) {
-            digest.value_of(point);
-        }
-        let Self { sequence, exponent, .. } = self;
-        writeln!(self.text, "{sequence} {map} {disc} {exponent} {:016x}", digest.value()).unwrap();
-    }
-}
-
-impl<A: Arithmetic<Real: Digestible>> MapVisitor<A> for Mapped<'_> {
-    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
-        self.line("disc", name, map);
-    }
-
-    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
-        &mut self,
-        name: &'static str,
-        disc: &'static str,
-        map: M,
-    ) {
-        self.line(name, disc, map);
-    }
 }
 
 /// The version of a dependency that the lock file pins.
@@ -161,33 +51,11 @@ fn locked(name: &str) -> &'static str {
     after.split('"').next().unwrap()
 }
 
-/// The file of one arithmetic.
-fn digests<A: Tested>() -> String {
-    let mut collect = Collect::default();
-    sequences(COUNT, SEED, &mut collect).unwrap();
+fn is_as_recorded<A: Tested>() {
     let head = A::LIBRARY.map(|library| format!("# {library} {}\n", locked(library)));
     let mut text = head.unwrap_or_default();
-    for (sequence, points) in &collect.0 {
-        let mut kept = Digest::new();
-        for point in Rejection::<A, _>::new(points.iter().copied()) {
-            kept.value_of(point);
-        }
-        writeln!(text, "{sequence} disc rejection - {:016x}", kept.value()).unwrap();
-        let stored = Stored::new(points).unwrap();
-        let mut mapped = Mapped { text: &mut text, sequence, stored, exponent: "-" };
-        mapped.line("square", "-", UnitSquare::<A>::new());
-        maps::<A>(&mut mapped);
-        for exponent in EXPONENTS {
-            mapped.exponent = exponent;
-            let parameter = exponent.parse().ok().unwrap();
-            power_maps::<A>(parameter, &mut mapped).unwrap();
-        }
-    }
-    text
-}
-
-fn is_as_recorded<A: Tested>() {
-    compare(&format!("{}.txt", A::NAME), &digests::<A>());
+    lines::arithmetic::<A>(&mut |line| writeln!(text, "{line}").unwrap()).unwrap();
+    compare(&format!("{}.txt", A::NAME), &text);
 }
 
 each_arithmetic!(tests is_as_recorded);
