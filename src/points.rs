@@ -174,9 +174,7 @@ impl<S: Sequence, M: Map> Points<S, M> {
 
     #[inline(always)]
     fn fill_singly(&self, start: u32, buffer: &mut [M::Point]) {
-        for (slot, uv) in buffer.iter_mut().zip(self.sequence.iter(start)) {
-            *slot = self.map.sample(uv);
-        }
+        self.sequence.fill_with(start, buffer, |uv| self.map.sample(uv));
     }
 
     /// Writes the components of points into a buffer each, until the shortest ends or the set; says how

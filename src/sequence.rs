@@ -77,6 +77,14 @@ pub trait Sequence: Copy {
         looked_up(*self, start)
     }
 
+    /// Writes what `map` makes of the points from index `start` on, a slot each.
+    #[inline(always)]
+    fn fill_with<P>(&self, start: u32, slots: &mut [P], map: impl Fn([u32; 2]) -> P) {
+        for (slot, point) in slots.iter_mut().zip(self.iter(start)) {
+            *slot = map(point);
+        }
+    }
+
     /// The points of indices `start` .. `start` + 64, `start` a multiple of 64, an axis at a time.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {

@@ -41,6 +41,15 @@ impl<'a> Stored<'a> {
         // Always so; the comparison spares the image a path to a panic.
         if index < self.points.len() { self.points[index] } else { [0; 2] }
     }
+
+    /// The points from an index up to the end of the slice or of the indices; at least one.
+    #[inline(always)]
+    fn stretch(&self, start: u32) -> &'a [[u32; 2]] {
+        let first = repeat(start, self.points.len() as u32) as usize;
+        let from = self.points.get(first..).unwrap_or_default();
+        let indices = if start == 0 { usize::MAX } else { start.wrapping_neg() as usize };
+        from.get(..indices).unwrap_or(from)
+    }
 }
 
 impl Sequence for Stored<'_> {
@@ -55,12 +64,25 @@ impl Sequence for Stored<'_> {
 
     #[inline(always)]
     fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let first = repeat(start, self.points.len() as u32) as usize;
-        let from = self.points.get(first..).unwrap_or_default();
-        // A walk along the slice, up to its end or that of the indices; the rest is looked up.
-        let indices = if start == 0 { usize::MAX } else { start.wrapping_neg() as usize };
-        let after = looked_up(*self, start.wrapping_add(from.len().min(indices) as u32));
-        from.iter().copied().take(indices).chain(after)
+        let from = self.stretch(start);
+        let after = looked_up(*self, start.wrapping_add(from.len() as u32));
+        from.iter().copied().chain(after)
+    }
+
+    /// Slots and points walk along two slices: a chained iterator would ask at each point which of its halves
+    /// it is in.
+    #[inline(always)]
+    fn fill_with<P>(&self, start: u32, slots: &mut [P], map: impl Fn([u32; 2]) -> P) {
+        let (mut start, mut left) = (start, slots);
+        while !left.is_empty() {
+            let from = self.stretch(start);
+            let (slots, rest) = left.split_at_mut(left.len().min(from.len()));
+            for (slot, point) in slots.iter_mut().zip(from) {
+                *slot = map(*point);
+            }
+            start = start.wrapping_add(slots.len() as u32);
+            left = rest;
+        }
     }
 
     #[inline(always)]

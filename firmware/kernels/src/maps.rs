@@ -1,0 +1,136 @@
+//! Every map of every arithmetic, from stored coordinates; and some from a sequence.
+
+use crate::Visitor;
+use core::hint::black_box;
+use hemidisc::arithmetic::{Arithmetic, FixedExponent};
+use hemidisc::disc::Rejection;
+use hemidisc::sequence::{Sobol, SobolOwen, Stored};
+use hemidisc::{
+    Concentric, Cosine, FastF32, LibmF32, LibmF64, MicromathF32, Points, Polar, Power, Q15, Q15Div,
+    Q31, Uniform, UnitSquare,
+};
+
+type Slot<A> = <A as Arithmetic>::Real;
+
+/// A function that fills by a map, under its path.
+macro_rules! fill {
+    ($visitor:ident, $path:expr, $map:ty, $point:ty, $value:expr) => {{
+        #[unsafe(export_name = $path)]
+        #[inline(never)]
+        fn fill(map: &$map, coordinates: &[[u32; 2]], points: &mut [$point]) -> usize {
+            let Ok(stored) = Stored::new(coordinates) else { return 0 };
+            Points::new(stored, *map).fill(points)
+        }
+        let map = black_box($value);
+        $visitor.points($path, |coordinates, points: &mut [$point]| fill(&map, coordinates, points));
+    }};
+}
+
+/// A function that prepares an exponent, and that exponent's maps.
+macro_rules! power {
+    ($visitor:ident, $name:literal, $arithmetic:ident, $exponent:expr) => {{
+        #[unsafe(export_name = concat!("exponent/", $name))]
+        #[inline(never)]
+        fn prepare(
+            exponent: <$arithmetic as Arithmetic>::Parameter,
+        ) -> Option<(Power<$arithmetic, Polar<$arithmetic>>, Power<$arithmetic>)> {
+            Some((Power::<$arithmetic, _>::polar(exponent).ok()?, Power::new(exponent).ok()?))
+        }
+        if let Some((polar, concentric)) = prepare(black_box($exponent)) {
+            fill!(
+                $visitor, concat!("map/power/polar/", $name), Power<$arithmetic, Polar<$arithmetic>>,
+                [Slot<$arithmetic>; 3], polar
+            );
+            fill!(
+                $visitor, concat!("map/power/concentric/", $name), Power<$arithmetic>,
+                [Slot<$arithmetic>; 3], concentric
+            );
+        }
+    }};
+}
+
+/// Every map of each arithmetic.
+macro_rules! maps {
+    ($visitor:ident: $($name:literal $arithmetic:ident $exponent:expr;)*) => {$(
+        fill!(
+            $visitor, concat!("map/square/-/", $name), UnitSquare<$arithmetic>,
+            [Slot<$arithmetic>; 2], UnitSquare::new()
+        );
+        {
+            #[unsafe(export_name = concat!("map/disc/rejection/", $name))]
+            #[inline(never)]
+            fn fill(coordinates: &[[u32; 2]], points: &mut [[Slot<$arithmetic>; 2]]) -> usize {
+                let mut kept = Rejection::<$arithmetic, _>::new(coordinates.iter().copied());
+                let mut filled = 0;
+                for (slot, point) in points.iter_mut().zip(&mut kept) {
+                    *slot = point;
+                    filled += 1;
+                }
+                filled
+            }
+            $visitor.points(concat!("map/disc/rejection/", $name), fill);
+        }
+        fill!(
+            $visitor, concat!("map/disc/polar/", $name), Polar<$arithmetic>,
+            [Slot<$arithmetic>; 2], Polar::new()
+        );
+        fill!(
+            $visitor, concat!("map/disc/concentric/", $name), Concentric<$arithmetic>,
+            [Slot<$arithmetic>; 2], Concentric::new()
+        );
+        fill!(
+            $visitor, concat!("map/uniform/polar/", $name), Uniform<$arithmetic, Polar<$arithmetic>>,
+            [Slot<$arithmetic>; 3], Uniform::polar()
+        );
+        fill!(
+            $visitor, concat!("map/uniform/concentric/", $name), Uniform<$arithmetic>,
+            [Slot<$arithmetic>; 3], Uniform::new()
+        );
+        fill!(
+            $visitor, concat!("map/cosine/polar/", $name), Cosine<$arithmetic, Polar<$arithmetic>>,
+            [Slot<$arithmetic>; 3], Cosine::polar()
+        );
+        fill!(
+            $visitor, concat!("map/cosine/concentric/", $name), Cosine<$arithmetic>,
+            [Slot<$arithmetic>; 3], Cosine::new()
+        );
+        power!($visitor, $name, $arithmetic, $exponent);
+    )*};
+}
+
+pub(crate) fn every(visitor: &mut impl Visitor) {
+    maps! {
+        visitor:
+        "q15" Q15 FixedExponent::from(50);
+        "q15-div" Q15Div FixedExponent::from(50);
+        "q31" Q31 FixedExponent::from(50);
+        "fast-f32" FastF32 50.0;
+        "micromath-f32" MicromathF32 50.0;
+        "libm-f32" LibmF32 50.0;
+        "libm-f64" LibmF64 50.0;
+    }
+}
+
+macro_rules! fused {
+    ($visitor:ident: $($sequence:literal $type:ty, $path:literal $map:ty, $point:ty, $value:expr;)*) => {$({
+        #[unsafe(export_name = concat!("fused/", $sequence, "/", $path))]
+        #[inline(never)]
+        fn fill(sequence: $type, map: &$map, points: &mut [$point]) -> usize {
+            Points::new(sequence, *map).fill(points)
+        }
+        let map = black_box($value);
+        $visitor.points(
+            concat!("fused/", $sequence, "/", $path),
+            |_, points: &mut [$point]| fill(<$type>::new(black_box(7)), &map, points),
+        );
+    })*};
+}
+
+pub(crate) fn fused(visitor: &mut impl Visitor) {
+    fused! {
+        visitor:
+        "sobol" Sobol, "disc/concentric/q15" Concentric<Q15>, [Q15; 2], Concentric::new();
+        "sobol-owen" SobolOwen, "disc/concentric/q15" Concentric<Q15>, [Q15; 2], Concentric::new();
+        "sobol" Sobol, "disc/concentric/fast-f32" Concentric<FastF32>, [f32; 2], Concentric::new();
+    }
+}

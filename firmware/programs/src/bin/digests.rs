@@ -1,0 +1,39 @@
+//! Prints the golden lines of this core: every sequence x map x arithmetic, as tests/golden has them.
+#![no_std]
+#![no_main]
+
+#[path = "../../../../tests/golden/lines.rs"]
+mod lines;
+
+use board::{exit, println};
+use hemidisc::arithmetic::Arithmetic;
+use hemidisc::invariant::Digestible;
+use hemidisc::{Error, FastF32, LibmF32, LibmF64, MicromathF32, Q15, Q15Div, Q31};
+
+fn file<A: Arithmetic<Real: Digestible>>() -> Result<(), Error> {
+    println!("file {}", A::NAME);
+    lines::arithmetic::<A>(&mut |line| println!("{line}"))
+}
+
+fn files() -> Result<(), Error> {
+    println!("file square");
+    lines::squares(&mut |line| println!("{line}"))?;
+    println!("file domain");
+    lines::domains(&mut |line| println!("{line}"))?;
+    file::<Q15>()?;
+    file::<Q15Div>()?;
+    file::<Q31>()?;
+    file::<FastF32>()?;
+    file::<MicromathF32>()?;
+    file::<LibmF32>()?;
+    file::<LibmF64>()
+}
+
+#[board::entry]
+fn main() -> ! {
+    if let Err(error) = files() {
+        println!("error: {error}");
+        exit(1)
+    }
+    exit(0)
+}
