@@ -1,0 +1,143 @@
+//! What is reported of each fill on each core.
+
+use crate::cores::Core;
+use crate::digests::Files;
+use crate::images::Image;
+use crate::qemu::Count;
+use crate::table;
+use anyhow::{Result, bail, ensure};
+use hemidisc::catalogue::{ARITHMETICS, SEQUENCES};
+use serde::Serialize;
+use std::fs;
+use std::path::Path;
+
+/// Points of a fill.
+const COUNT: f64 = 256.0;
+
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Record {
+    pub core: &'static str,
+    /// `map`, `sequence`, `fused`, `peer`, `loop` or `exponent`.
+    pub kind: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sequence: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub disc: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub arithmetic: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peer: Option<String>,
+    /// Executed; of an exponent, which is prepared once, none.
+    pub instructions_per_point: Option<f64>,
+    /// Text and tables beyond an empty image.
+    pub flash_bytes: u64,
+    pub stack_bytes: Option<u32>,
+    /// Whether the points are the host's, bit for bit; of peers and loops none.
+    pub digest_ok: Option<bool>,
+}
+
+impl Record {
+    pub fn new(
+        core: &Core,
+        count: &Count,
+        image: &Image,
+        nothing: &Image,
+        files: &Files,
+    ) -> Result<Self> {
+        let own = |text: &str| Some(text.to_owned());
+        let parts: Vec<_> = count.path.split('/').collect();
+        let mut record = Self {
+            core: core.name,
+            kind: parts[0].to_owned(),
+            instructions_per_point: Some(f64::from(count.instructions) / COUNT),
+            flash_bytes: image.flash - nothing.flash,
+            stack_bytes: Some(count.stack),
+            ..Self::default()
+        };
+        match parts[1..] {
+            [sequence] if parts[0] == "sequence" => record.sequence = own(sequence),
+            [name] if parts[0] == "loop" => record.map = own(name),
+            [map, disc, arithmetic] if parts[0] == "map" => {
+                (record.map, record.disc, record.arithmetic) = (own(map), own(disc), own(arithmetic));
+            }
+            [sequence, map, disc, arithmetic] if parts[0] == "fused" => {
+                record.sequence = own(sequence);
+                (record.map, record.disc, record.arithmetic) = (own(map), own(disc), own(arithmetic));
+            }
+            [map, disc, peer] if parts[0] == "peer" => {
+                (record.map, record.disc, record.peer) = (own(map), own(disc), own(peer));
+            }
+            _ => bail!("not the path of a fill: {}", count.path),
+        }
+        let arithmetic = record.arithmetic.as_deref().filter(|name| ARITHMETICS.contains(name));
+        let file = arithmetic.or(record.sequence.as_ref().map(|_| "square"));
+        record.digest_ok = file.map(|name| files.names.contains(name));
+        if record.peer.is_none() {
+            let arithmetic = record.arithmetic.as_deref();
+            let integers = arithmetic.is_none_or(|name| name.starts_with('q'));
+            image.check(&count.path, integers)?;
+        }
+        Ok(record)
+    }
+
+    /// The preparation of an exponent.
+    pub fn prepared(core: &Core, arithmetic: &str, image: &Image, nothing: &Image) -> Self {
+        Self {
+            core: core.name,
+            kind: "exponent".to_owned(),
+            arithmetic: Some(arithmetic.to_owned()),
+            flash_bytes: image.flash - nothing.flash,
+            ..Self::default()
+        }
+    }
+}
+
+/// The example of a lens on one core.
+#[derive(Serialize)]
+pub struct Lens {
+    pub core: &'static str,
+    pub flash_bytes: u64,
+    /// Statics; the stack is not in them.
+    pub ram_bytes: u64,
+    #[serde(skip)]
+    pub picture: String,
+}
+
+#[derive(Serialize)]
+pub struct Report {
+    pub compiler: String,
+    pub records: Vec<Record>,
+    pub lens: Vec<Lens>,
+}
+
+impl Report {
+    pub fn new(compiler: String) -> Self {
+        Self { compiler, records: Vec::new(), lens: Vec::new() }
+    }
+
+    /// Every sequence and every arithmetic of the catalogue is in the report.
+    pub fn covers_the_catalogue(&self) -> Result<()> {
+        for name in SEQUENCES {
+            let has = |record: &Record| record.kind == "sequence" && record.sequence.as_deref() == Some(name);
+            ensure!(self.records.iter().any(has), "the sequence {name} is not counted");
+        }
+        for name in ARITHMETICS {
+            let has = |record: &&Record| record.kind == "map" && record.arithmetic.as_deref() == Some(name);
+            // Square, rejection, and four maps over two disc maps, on four cores.
+            let maps = self.records.iter().filter(has).count();
+            ensure!(maps >= 10 * 4, "{name}: {maps} of 40 maps are counted");
+        }
+        Ok(())
+    }
+
+    /// Writes `report.json` and `report.md`.
+    pub fn write(&self, folder: &Path) -> Result<()> {
+        fs::create_dir_all(folder)?;
+        fs::write(folder.join("report.json"), serde_json::to_string_pretty(self)? + "\n")?;
+        fs::write(folder.join("report.md"), table::whole(self))?;
+        println!("{} records in {}", self.records.len(), folder.join("report.json").display());
+        Ok(())
+    }
+}
