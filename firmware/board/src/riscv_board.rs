@@ -22,7 +22,9 @@ pub(crate) fn instructions_since(start: u32) -> u32 {
 #[inline(always)]
 pub fn known_loop(rounds: u32) {
     // SAFETY: it changes a register of its own.
-    unsafe { asm!("2: addi {0}, {0}, -1", "bnez {0}, 2b", inout(reg) rounds => _, options(nomem, nostack)) };
+    unsafe {
+        asm!("2: addi {0}, {0}, -1", "bnez {0}, 2b", inout(reg) rounds => _, options(nomem, nostack))
+    };
 }
 
 /// Writes a word over so many bytes below the stack pointer, and says where that points.

@@ -28,11 +28,7 @@ pub const CANDIDATES: usize = 384;
 /// Sees every fill in turn, by its path.
 pub trait Visitor {
     /// A fill of points from coordinates; says how many.
-    fn points<P: Pod>(
-        &mut self,
-        path: &'static str,
-        fill: impl Fn(&[[u32; 2]], &mut [P]) -> usize,
-    );
+    fn points<P: Pod>(&mut self, path: &'static str, fill: impl Fn(&[[u32; 2]], &mut [P]) -> usize);
 }
 
 /// Visits every fill.

@@ -22,7 +22,8 @@ macro_rules! fill {
             Points::new(stored, *map).fill(points)
         }
         let map = black_box($value);
-        $visitor.points($path, |coordinates, points: &mut [$point]| fill(&map, coordinates, points));
+        $visitor
+            .points($path, |coordinates, points: &mut [$point]| fill(&map, coordinates, points));
     }};
 }
 

@@ -134,11 +134,8 @@ fn phase(numerator: i32, denominator: i32) -> i32 {
 #[inline(always)]
 fn idsp_q15([u, v]: [u32; 2]) -> [i16; 2] {
     let (x, y) = (centred(u), centred(v));
-    let (r, phase) = if x.abs() > y.abs() {
-        (x, phase(y, x))
-    } else {
-        (y, (1 << 30) - phase(x, y))
-    };
+    let (r, phase) =
+        if x.abs() > y.abs() { (x, phase(y, x)) } else { (y, (1 << 30) - phase(x, y)) };
     let (cos, sin) = idsp::cossin(phase);
     [(r * (cos >> 16)) >> 16, (r * (sin >> 16)) >> 16].map(|x| x as i16)
 }
@@ -160,8 +157,9 @@ macro_rules! cordic {
     ($function:ident, $number:ident, $bits:ident, $shift:literal) => {
         #[inline(always)]
         fn $function([u, v]: [u32; 2]) -> [$bits; 2] {
-            let [x, y] = [u, v]
-                .map(|k| $number::from_bits(((k ^ 0x8000_0000).cast_signed() >> $shift | 1) as $bits));
+            let [x, y] = [u, v].map(|k| {
+                $number::from_bits(((k ^ 0x8000_0000).cast_signed() >> $shift | 1) as $bits)
+            });
             let (r, angle) = if x.abs() > y.abs() {
                 (x, $number::FRAC_PI_4 * (y / x))
             } else {

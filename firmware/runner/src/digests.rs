@@ -23,7 +23,11 @@ pub fn compare(core: &Core, printed: &str) -> Result<Files> {
         let golden: Vec<_> = golden.lines().filter(|line| !line.starts_with('#')).collect();
         let digests: Vec<_> = digests.lines().collect();
         for (golden, printed) in golden.iter().zip(&digests) {
-            ensure!(golden == printed, "{name}: {} gives `{printed}`, the host `{golden}`", core.name);
+            ensure!(
+                golden == printed,
+                "{name}: {} gives `{printed}`, the host `{golden}`",
+                core.name
+            );
         }
         ensure!(
             golden.len() == digests.len(),

@@ -4,9 +4,9 @@ use crate::cores::Core;
 use crate::tools;
 use anyhow::{Context, Result, bail, ensure};
 use object::{Object, ObjectSection, ObjectSymbol, SectionKind};
+use std::fs;
 use std::path::Path;
 use std::process::Command;
-use std::fs;
 
 /// A linked image.
 pub struct Image {
@@ -31,11 +31,15 @@ fn read(path: &Path) -> Result<Image> {
                 image.flash += section.size();
                 image.ram += section.size();
             }
-            SectionKind::UninitializedData => image.ram += section.size(),
+            // `riscv-rt` gives the stack a section.
+            SectionKind::UninitializedData if section.name()? != ".stack" => {
+                image.ram += section.size()
+            }
             _ => {}
         }
     }
-    image.symbols = file.symbols().filter_map(|symbol| Some(symbol.name().ok()?.to_owned())).collect();
+    image.symbols =
+        file.symbols().filter_map(|symbol| Some(symbol.name().ok()?.to_owned())).collect();
     Ok(image)
 }
 
@@ -60,11 +64,15 @@ pub fn program(core: &Core, name: &str) -> Result<Image> {
 fn is_float(symbol: &str) -> bool {
     let of_libgcc = |stem: &str| symbol.strip_prefix("__").is_some_and(|name| name.contains(stem));
     let arm = ["__aeabi_f", "__aeabi_d", "__aeabi_cf", "__aeabi_cd", "__aeabi_i2f", "__aeabi_i2d"];
-    let arm_unsigned = ["__aeabi_ui2f", "__aeabi_ui2d", "__aeabi_l2f", "__aeabi_l2d", "__aeabi_ul2"];
+    let arm_unsigned =
+        ["__aeabi_ui2f", "__aeabi_ui2d", "__aeabi_l2f", "__aeabi_l2d", "__aeabi_ul2"];
     arm.iter().chain(&arm_unsigned).any(|stem| symbol.starts_with(stem))
-        || ["sf2", "df2", "sf3", "df3", "sisf", "sidf", "disf", "didf", "sfsi", "dfsi", "sfdi", "dfdi"]
-            .into_iter()
-            .any(of_libgcc)
+        || [
+            "sf2", "df2", "sf3", "df3", "sisf", "sidf", "disf", "didf", "sfsi", "dfsi", "sfdi",
+            "dfdi",
+        ]
+        .into_iter()
+        .any(of_libgcc)
 }
 
 impl Image {
@@ -85,7 +93,10 @@ pub fn shown_to_fail(core: &Core) -> Result<()> {
     let panics = link(core, "fault/panic")?.check("fault/panic", false);
     ensure!(panics.is_err(), "an unchecked index is not found");
     if core.soft_float {
-        ensure!(link(core, "fault/float")?.check("fault/float", true).is_err(), "a float is not found");
+        ensure!(
+            link(core, "fault/float")?.check("fault/float", true).is_err(),
+            "a float is not found"
+        );
     }
     Ok(())
 }

@@ -56,11 +56,18 @@ fn measure(core: &Core) -> Result<(Vec<Record>, Lens)> {
         let image = images::link(core, &path)?;
         records.push(Record::prepared(core, exponent, &image, &nothing));
     }
-    println!("{}: {} images linked; no panic, and no software float in fixed point", core.name, records.len());
+    println!(
+        "{}: {} images linked; no panic, and no software float in fixed point",
+        core.name,
+        records.len()
+    );
     let lens = images::program(core, "lens")?;
     let picture = qemu::run(core, "lens")?;
     lens.check("lens", true)?;
-    println!("{}: lens: {} bytes of flash, {} of RAM; no panic, no float", core.name, lens.flash, lens.ram);
+    println!(
+        "{}: lens: {} bytes of flash, {} of RAM; no panic, no float",
+        core.name, lens.flash, lens.ram
+    );
     Ok((records, Lens { core: core.name, flash_bytes: lens.flash, ram_bytes: lens.ram, picture }))
 }
 

@@ -60,11 +60,13 @@ impl Record {
             [sequence] if parts[0] == "sequence" => record.sequence = own(sequence),
             [name] if parts[0] == "loop" => record.map = own(name),
             [map, disc, arithmetic] if parts[0] == "map" => {
-                (record.map, record.disc, record.arithmetic) = (own(map), own(disc), own(arithmetic));
+                (record.map, record.disc, record.arithmetic) =
+                    (own(map), own(disc), own(arithmetic));
             }
             [sequence, map, disc, arithmetic] if parts[0] == "fused" => {
                 record.sequence = own(sequence);
-                (record.map, record.disc, record.arithmetic) = (own(map), own(disc), own(arithmetic));
+                (record.map, record.disc, record.arithmetic) =
+                    (own(map), own(disc), own(arithmetic));
             }
             [map, disc, peer] if parts[0] == "peer" => {
                 (record.map, record.disc, record.peer) = (own(map), own(disc), own(peer));
@@ -120,11 +122,15 @@ impl Report {
     /// Every sequence and every arithmetic of the catalogue is in the report.
     pub fn covers_the_catalogue(&self) -> Result<()> {
         for name in SEQUENCES {
-            let has = |record: &Record| record.kind == "sequence" && record.sequence.as_deref() == Some(name);
+            let has = |record: &Record| {
+                record.kind == "sequence" && record.sequence.as_deref() == Some(name)
+            };
             ensure!(self.records.iter().any(has), "the sequence {name} is not counted");
         }
         for name in ARITHMETICS {
-            let has = |record: &&Record| record.kind == "map" && record.arithmetic.as_deref() == Some(name);
+            let has = |record: &&Record| {
+                record.kind == "map" && record.arithmetic.as_deref() == Some(name)
+            };
             // Square, rejection, and four maps over two disc maps, on four cores.
             let maps = self.records.iter().filter(has).count();
             ensure!(maps >= 10 * 4, "{name}: {maps} of 40 maps are counted");

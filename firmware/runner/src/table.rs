@@ -47,7 +47,12 @@ fn of_kind(report: &Report, kind: &str) -> Result<String, std::fmt::Error> {
         };
         let flash = join(&|record| record.flash_bytes.to_string(), " / ");
         let stack = join(&|record| cell(record.stack_bytes), " / ");
-        writeln!(text, "| {} | {} | {flash} | {stack} |", name(record), join(&instructions, " | "))?;
+        writeln!(
+            text,
+            "| {} | {} | {flash} | {stack} |",
+            name(record),
+            join(&instructions, " | ")
+        )?;
     }
     Ok(text)
 }
@@ -78,22 +83,35 @@ fn summary(report: &Report) -> String {
     text += " flash, M0 |\n| --- |";
     text += &" ---: |".repeat(CORES.len() + 1);
     text += "\n";
-    let maps = [("disc", "concentric"), ("uniform", "concentric"), ("cosine", "concentric"), ("power", "concentric")];
+    let maps = [
+        ("disc", "concentric"),
+        ("uniform", "concentric"),
+        ("cosine", "concentric"),
+        ("power", "concentric"),
+    ];
     let arithmetics = ["q15", "q15-div", "q31", "fast-f32", "libm-f32"];
     let wanted = |record: &Record, map: &str, disc: &str| {
         record.core == CORES[0].name
             && record.map.as_deref() == Some(map)
             && (record.disc.as_deref() == Some(disc) || record.peer.is_some() && map != "disc")
             && match record.kind.as_str() {
-                "map" => record.arithmetic.as_deref().is_some_and(|name| arithmetics.contains(&name)),
+                "map" => {
+                    record.arithmetic.as_deref().is_some_and(|name| arithmetics.contains(&name))
+                }
                 "peer" => record.peer.as_deref().is_some_and(|peer| !peer.contains("cordic")),
                 _ => false,
             }
     };
     for (map, disc) in maps {
         for record in report.records.iter().filter(|record| wanted(record, map, disc)) {
-            let counts = on_every_core(report, record).into_iter().map(instructions).collect::<Vec<_>>();
-            text += &format!("| {} | {} | {} |\n", name(record), counts.join(" | "), record.flash_bytes);
+            let counts =
+                on_every_core(report, record).into_iter().map(instructions).collect::<Vec<_>>();
+            text += &format!(
+                "| {} | {} | {} |\n",
+                name(record),
+                counts.join(" | "),
+                record.flash_bytes
+            );
         }
     }
     text
@@ -117,12 +135,18 @@ pub fn publish(report: &Report, root: &Path, bless: bool) -> Result<()> {
     ] {
         let path = root.join(file);
         let text = fs::read_to_string(&path).with_context(|| path.display().to_string())?;
-        let [before, printed, after] = printed(&text, "<!-- firmware:").with_context(|| file.to_owned())?;
+        let [before, printed, after] =
+            printed(&text, "<!-- firmware:").with_context(|| file.to_owned())?;
         if bless {
             fs::write(&path, format!("{before}{table}{after}"))?;
         } else if !printed.starts_with(&compiler_line(report)) {
-            println!("{file} is of another compiler: {}", printed.lines().next().unwrap_or_default());
-        } else if let Some((printed, now)) = printed.lines().zip(table.lines()).find(|(a, b)| a != b) {
+            println!(
+                "{file} is of another compiler: {}",
+                printed.lines().next().unwrap_or_default()
+            );
+        } else if let Some((printed, now)) =
+            printed.lines().zip(table.lines()).find(|(a, b)| a != b)
+        {
             bail!("{file} says\n{printed}\nbut now it is\n{now}\nTo write it anew: --bless");
         } else {
             println!("{file}: as measured");

@@ -15,8 +15,9 @@ const NEEDED: [[&str; 3]; 4] = [
 ];
 
 fn is_installed(program: &str) -> bool {
-    std::env::var_os("PATH")
-        .is_some_and(|path| std::env::split_paths(&path).any(|folder| folder.join(program).is_file()))
+    std::env::var_os("PATH").is_some_and(|path| {
+        std::env::split_paths(&path).any(|folder| folder.join(program).is_file())
+    })
 }
 
 /// An error that says what to install.
@@ -25,7 +26,8 @@ pub fn check() -> Result<()> {
     if missing.is_empty() {
         return Ok(());
     }
-    let lines = missing.iter().map(|[program, _, purpose]| format!("\n  {program}, which {purpose}"));
+    let lines =
+        missing.iter().map(|[program, _, purpose]| format!("\n  {program}, which {purpose}"));
     let packages: Vec<_> = missing.iter().map(|[_, package, _]| *package).collect();
     bail!(
         "not installed:{}\nOn Debian or Ubuntu: apt-get install {}",
@@ -51,7 +53,8 @@ fn cargo(target: &str) -> Result<(Command, &'static [&'static str])> {
         return Ok((Command::new("cargo"), &[]));
     }
     ensure!(
-        Path::new("/usr/bin/cargo").exists() && Path::new("/usr/lib/rustlib/src/rust/library").exists(),
+        Path::new("/usr/bin/cargo").exists()
+            && Path::new("/usr/lib/rustlib/src/rust/library").exists(),
         "no core library for {target}: `rustup target add {target}`, or on Debian \
          `apt-get install rustc-web cargo-web rust-web-src`"
     );
@@ -89,7 +92,8 @@ pub fn build(core: &Core, arguments: &[&str]) -> Result<()> {
 /// The library builds for cores without an operating system, an allocator or an FPU.
 pub fn build_library() -> Result<()> {
     for core in &CORES {
-        for features in ["", "libm", "libm,micromath,fixed-point,bytemuck,heapless,rand_core,rand"] {
+        for features in ["", "libm", "libm,micromath,fixed-point,bytemuck,heapless,rand_core,rand"]
+        {
             let (mut cargo, extra) = cargo(core.target)?;
             cargo.current_dir(root()).args(["build", "--quiet", "--release", "--locked", "--lib"]);
             cargo.args(extra).args(["--target", core.target, "--target-dir", "target/bare-metal"]);

@@ -19,10 +19,10 @@ const HEIGHT: i32 = 24;
 /// Lengths are in units of 2^-15 of the picture's height.
 const ONE: i32 = 1 << 15;
 /// The lens's radius.
-const APERTURE: i32 = ONE * 3 / 8;
-const LAMP: i32 = ONE / 8;
-const NEAR: [i32; 2] = [-ONE * 5 / 8, 0];
-const FAR: [i32; 2] = [ONE * 5 / 4, 0];
+const APERTURE: i32 = ONE * 3 / 4;
+const LAMP: i32 = ONE / 4;
+const NEAR: [i32; 2] = [-ONE * 3 / 4, 0];
+const FAR: [i32; 2] = [ONE * 3 / 2, 0];
 
 /// Whether a point is within a lamp's radius of it.
 fn meets([x, y]: [i32; 2], [lamp_x, lamp_y]: [i32; 2]) -> bool {
@@ -32,7 +32,8 @@ fn meets([x, y]: [i32; 2], [lamp_x, lamp_y]: [i32; 2]) -> bool {
 
 /// How many of a pixel's rays meet a lamp; `focus` is where all of them cross the plane in focus.
 fn hits(focus: [i32; 2], lens: &[[Q15; 2]]) -> usize {
-    let rays = lens.iter().map(|point| point.map(|x| (i32::from(x.to_bits()) * (APERTURE >> 6)) >> 9));
+    let rays =
+        lens.iter().map(|point| point.map(|x| (i32::from(x.to_bits()) * (APERTURE >> 6)) >> 9));
     let hit = rays.filter(|[x, y]| {
         // At twice the distance of the plane in focus a ray is as far beyond its axis as it began before it.
         let far = [2 * focus[0] - x, 2 * focus[1] - y];
