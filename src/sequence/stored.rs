@@ -69,17 +69,13 @@ impl Sequence for Stored<'_> {
         from.iter().copied().chain(after)
     }
 
-    /// Slots and points walk along two slices: a chained iterator would ask at each point which of its halves
-    /// it is in.
     #[inline(always)]
     fn fill_with<P>(&self, start: u32, slots: &mut [P], map: impl Fn([u32; 2]) -> P) {
         let (mut start, mut left) = (start, slots);
         while !left.is_empty() {
             let from = self.stretch(start);
             let (slots, rest) = left.split_at_mut(left.len().min(from.len()));
-            for (slot, point) in slots.iter_mut().zip(from) {
-                *slot = map(*point);
-            }
+            walk(from, slots, &map);
             start = start.wrapping_add(slots.len() as u32);
             left = rest;
         }
@@ -90,5 +86,14 @@ impl Sequence for Stored<'_> {
         for ((u, v), point) in u.iter_mut().zip(v).zip(self.iter(start)) {
             [*u, *v] = point;
         }
+    }
+}
+
+/// Slots and points along two slices: a chained iterator would ask at each point which of its halves it is in,
+/// and inlined into the loop over stretches it would leave the map too few registers.
+#[inline(never)]
+fn walk<P>(points: &[[u32; 2]], slots: &mut [P], map: impl Fn([u32; 2]) -> P) {
+    for (slot, point) in slots.iter_mut().zip(points) {
+        *slot = map(*point);
     }
 }

@@ -9,24 +9,25 @@
 //! **Polar.** The angle within the octant is exact, and so is its bucket; r is a root from a table.
 
 use super::super::fixed::Q15;
-use super::tables::{LINES, RECIPROCAL, ROOT};
+use super::tables::{BUCKETS, LINES, RECIPROCAL, RECIPROCAL_SHIFT, ROOT};
 
 /// A point of the disc before it is rounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Q15Disc {
     /// |x| and |y| in 2^-31; up to a common factor where an inverse begins.
     pub(in crate::arithmetic) magnitude: [u32; 2],
-    /// 0 or -1 for each.
+    /// For each -1 where it is positive, else 0: a coordinate's own sign, which needs no constant.
     pub(in crate::arithmetic) sign: [i32; 2],
     /// r^2 in 2^-32, not 0.
     pub(in crate::arithmetic) r2: u32,
 }
 
 impl Q15Disc {
-    /// The point, to the nearest LSB of each component.
+    /// The point, each component toward zero: that needs no constant, and no room to the rim.
     #[inline(always)]
     pub(in crate::arithmetic) const fn store(self) -> [Q15; 2] {
-        [rounded(self.magnitude[0], self.sign[0]), rounded(self.magnitude[1], self.sign[1])]
+        let ([x, y], [sign_x, sign_y]) = (self.magnitude, self.sign);
+        [signed(x >> 16, sign_x), signed(y >> 16, sign_y)]
     }
 
     /// 1 - r^2 in 2^-32, exactly.
@@ -34,14 +35,6 @@ impl Q15Disc {
     pub(in crate::arithmetic) const fn rim(self) -> u32 {
         self.r2.wrapping_neg()
     }
-}
-
-/// The magnitude about the centre in 2^-16, odd, of the cell of a coordinate; and its sign, 0 or -1.
-#[inline(always)]
-pub(in crate::arithmetic) const fn fold(k: u32) -> (u32, i32) {
-    let j = (k ^ 0x8000_0000).cast_signed() >> 16;
-    let sign = j >> 31;
-    (2 * (j ^ sign).cast_unsigned() + 1, sign)
 }
 
 /// Linear interpolation in a table: `position` counts nodes in its integer part, with 16 bits of fraction.
@@ -62,26 +55,57 @@ pub(super) const fn root(x: u32) -> u32 {
     interpolate(&ROOT, (x >> 8).wrapping_sub(64 << 16))
 }
 
+/// The magnitude about the centre in 2^-16, odd, of the cell of a coordinate; and its sign, -1 where positive.
+#[inline(always)]
+pub(in crate::arithmetic) const fn fold(k: u32) -> (u32, i32) {
+    let j = k.cast_signed() >> 16;
+    let sign = j >> 31;
+    (0xffff - 2 * (j ^ sign).cast_unsigned(), sign)
+}
+
 #[inline(always)]
 pub(in crate::arithmetic) const fn concentric([u, v]: [u32; 2]) -> Q15Disc {
     let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));
-    let (a, b) = if v > u { (v, u) } else { (u, v) };
-    let (x, y) = turned(a, b);
-    let magnitude = if v > u { [y, x] } else { [x, y] };
-    Q15Disc { magnitude, sign: [sign_u, sign_v], r2: a * a }
+    if v > u {
+        let (y, x) = turned(v, u);
+        Q15Disc { magnitude: [x, y], sign: [sign_u, sign_v], r2: v * v }
+    } else {
+        let (x, y) = turned(u, v);
+        Q15Disc { magnitude: [x, y], sign: [sign_u, sign_v], r2: u * u }
+    }
+}
+
+/// The bucket of b/a by a crude quotient; none for an `a` whose top 4 bits are 0.
+#[inline(always)]
+const fn bucket(a: u32, b: u32) -> Option<u32> {
+    match RECIPROCAL[(a >> 8) as usize & 255] {
+        0 => None,
+        reciprocal => Some((b * reciprocal as u32) >> RECIPROCAL_SHIFT & 63),
+    }
+}
+
+/// One point in 256 is so near the centre that the top bits would not do.
+#[cold]
+#[inline(never)]
+const fn bucket_near_centre(mut a: u32, mut b: u32) -> u32 {
+    while a >> 12 == 0 {
+        a <<= 4;
+        b <<= 4;
+    }
+    match bucket(a, b) {
+        Some(bucket) => bucket,
+        None => 0,
+    }
 }
 
 /// (a cos, a sin) of the angle pi/4 b/a, in 2^-31; 0 < b <= a < 2^16.
 #[inline(always)]
 const fn turned(a: u32, b: u32) -> (u32, u32) {
-    let (mut divisor, mut dividend) = (a, b);
-    // One point in 64 is so near the centre that the top bits would not do.
-    while divisor < 0x2000 {
-        divisor <<= 3;
-        dividend <<= 3;
-    }
-    let bucket = (dividend * RECIPROCAL[(divisor >> 8) as u8 as usize] as u32) >> 21;
-    let lines = LINES[if bucket < LINES.len() as u32 { bucket as usize } else { 0 }];
+    let bucket = match bucket(a, b) {
+        Some(bucket) => bucket,
+        None => bucket_near_centre(a, b),
+    };
+    let lines = LINES[bucket as usize & 63];
     let x = a * lines.a as u32 - b * lines.b as u32;
     let y = a * lines.c as u32 + b * lines.d as u32;
     (x, y)
@@ -101,7 +125,7 @@ pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
     let steep = quarter & 1 << 13 != 0;
     let octant = if steep { quarter ^ 0x3fff } else { quarter };
     let t = 2 * octant + 1;
-    let lines = LINES[(octant >> 6 & 0x7f) as usize];
+    let lines = LINES[(octant * BUCKETS >> 13) as usize & 63];
     // From 2^-29 to 2^-16.
     let cos = (((lines.a as u32) << 14) - t * lines.b as u32 + (1 << 12)) >> 13;
     let sin = (((lines.c as u32) << 14) + t * lines.d as u32 + (1 << 12)) >> 13;
@@ -111,7 +135,7 @@ pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
     let (x, y) = ((cos * r) >> 1, (sin * r) >> 1);
     Q15Disc {
         magnitude: if steep { [y, x] } else { [x, y] },
-        sign: [if left { -1 } else { 0 }, below],
+        sign: [if left { 0 } else { -1 }, !below],
         r2,
     }
 }
@@ -127,10 +151,10 @@ pub(super) const fn root_of(x: u32) -> u32 {
     (root(x) + (1 << shift >> 1)) >> shift
 }
 
-/// A number from its magnitude in LSBs, below 2^15, and its sign, 0 or -1.
+/// A number from its magnitude in LSBs, below 2^15, and its sign, -1 where it is positive.
 #[inline(always)]
 pub(super) const fn signed(magnitude: u32, sign: i32) -> Q15 {
-    Q15::from_bits(((magnitude.cast_signed() ^ sign) - sign) as i16)
+    Q15::from_bits((sign - (magnitude.cast_signed() ^ sign)) as i16)
 }
 
 /// A number from its magnitude in 2^-31, to the nearest LSB, and its sign.

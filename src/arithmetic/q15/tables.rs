@@ -131,12 +131,12 @@ pub(super) struct Lines {
     pub(super) d: u16,
 }
 
-/// Buckets of t; a crude quotient may point some beyond the last.
-pub(super) const BUCKETS: u32 = 128;
+/// Buckets of t in [0, 1]; a crude quotient is up to 1/33 larger, and still below [`LINES`]'s end.
+pub(super) const BUCKETS: u32 = 62;
 
-/// How much smaller than 1 the circle of the lines is, so that no rounding leaves the disc: chosen as
-/// small as the exhaustive test lets it be.
-const INWARD: f64 = 0.5 / 32_768.0;
+/// How much smaller than 1 the circle of the lines is, so that no line leaves the disc where a crude quotient
+/// takes it beyond its bucket: chosen as small as the exhaustive test lets it be.
+const INWARD: f64 = 0.65 / 32_768.0;
 
 /// The line of slope near `slope` that comes nearest to `height` at `centre`, in 2^-15: intercept and slope.
 /// Slopes a few units off tilt the line by nothing that counts but reach heights between units.
@@ -156,31 +156,31 @@ const fn line(height: f64, slope: f64, centre: f64) -> [f64; 2] {
     best
 }
 
-pub(super) const LINES: [Lines; BUCKETS as usize + 4] = {
-    let mut lines = [Lines { a: 0, b: 0, c: 0, d: 0 }; BUCKETS as usize + 4];
+pub(super) const LINES: [Lines; 64] = {
+    let mut lines = [Lines { a: 0, b: 0, c: 0, d: 0 }; 64];
     let mut i = 0;
     while i < lines.len() {
-        let bucket = if i < BUCKETS as usize { i } else { BUCKETS as usize - 1 };
-        let centre = (bucket as f64 + 0.5) / BUCKETS as f64;
+        let centre = (i as f64 + 0.5) / BUCKETS as f64;
         let [cos, sin] = octant(centre);
         let angle = core::f64::consts::FRAC_PI_4;
-        // Half of the distance of the chord from the curve, f'' w^2 / 16.
-        let width = angle / BUCKETS as f64;
-        let size = (1.0 - width * width / 16.0) * (1.0 - INWARD);
-        let [a, b] = line(cos * size, -angle * sin, centre);
-        let [c, d] = line(sin * size, angle * cos, centre);
+        let [a, b] = line(cos * (1.0 - INWARD), -angle * sin, centre);
+        let [c, d] = line(sin * (1.0 - INWARD), angle * cos, centre);
         lines[i] = Lines { a: a as u16, b: (-b) as u16, c: c as u16, d: d as u16 };
         i += 1;
     }
     lines
 };
 
-/// 2^20 / (i + 1/2): reciprocals of the top 8 bits of a divisor.
+/// The reciprocals' units: buckets in 2^-22.
+pub(super) const RECIPROCAL_SHIFT: u32 = 22;
+
+/// BUCKETS / a of the middle of each interval of the top 8 bits of a divisor, from 2^12 on.
 pub(super) const RECIPROCAL: [u16; 256] = {
     let mut table = [0; 256];
     let mut i = 16;
     while i < 256 {
-        table[i] = round(1_048_576.0 / (i as f64 + 0.5));
+        let middle = 256.0 * (i as f64 + 0.5);
+        table[i] = round((BUCKETS << RECIPROCAL_SHIFT) as f64 / middle);
         i += 1;
     }
     table
