@@ -3,4 +3,6 @@
 pub mod hash;
 pub mod owen;
 pub mod permute;
+pub(crate) mod reversed;
 pub mod strata;
+pub(crate) mod wide;

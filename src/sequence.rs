@@ -51,6 +51,7 @@ pub use sobol::Sobol;
 pub use sobol_owen::SobolOwen;
 pub use stored::Stored;
 
+use crate::bits::wide::{HALVES, high};
 use crate::error::Error;
 use core::num::NonZeroU32;
 
@@ -105,11 +106,44 @@ fn looked_up<S: Sequence>(sequence: S, start: u32) -> impl Iterator<Item = [u32;
     })
 }
 
+/// The points from an index on, in stretches of what is dear to begin and cheap to go on with: `enter` makes a
+/// state at an index and says for how many points it serves, at least one; `step` takes a point from it.
+#[inline(always)]
+fn walked<T: Default>(
+    start: u32,
+    enter: impl Fn(u32) -> (T, u32),
+    step: impl Fn(&mut T) -> [u32; 2],
+) -> impl Iterator<Item = [u32; 2]> {
+    let (mut state, mut left, mut next) = (T::default(), 0, start);
+    core::iter::repeat_with(move || {
+        if left == 0 {
+            (state, left) = enter(next);
+            // A stretch ends with the indices, too: the first of all follows the last.
+            if next != 0 {
+                left = left.min(next.wrapping_neg());
+            }
+            next = next.wrapping_add(left);
+        }
+        left -= 1;
+        step(&mut state)
+    })
+}
+
+/// A block of points that are cheaper one after another than each by its index.
+#[inline(always)]
+fn block_in_order(points: impl Iterator<Item = [u32; 2]>, u: &mut Block, v: &mut Block) {
+    for ((u, v), point) in u.iter_mut().zip(v).zip(points) {
+        [*u, *v] = point;
+    }
+}
+
 /// An m x n grid that is neither empty nor larger than a `u32` counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Grid {
     columns: NonZeroU32,
     rows: NonZeroU32,
+    /// floor((2^32 - 1) / columns).
+    reciprocal: u32,
 }
 
 impl Grid {
@@ -120,7 +154,7 @@ impl Grid {
         if columns.checked_mul(rows).is_none() {
             return Err(Error::SetTooLarge { columns, rows });
         }
-        Ok(Self { columns: m, rows: n })
+        Ok(Self { columns: m, rows: n, reciprocal: u32::MAX / m.get() })
     }
 
     pub(crate) const fn columns(self) -> u32 {
@@ -136,9 +170,14 @@ impl Grid {
     }
 
     /// Column and row of a point inside the set: row by row.
+    ///
+    /// The reciprocal is smaller than 2^32 / m by at most 1, so its product with an index is smaller than
+    /// index / m by less than 1, and the row at most one too small.
     #[inline(always)]
     pub(crate) const fn cell(self, index: u32) -> [u32; 2] {
-        [index % self.columns(), index / self.columns()]
+        let row = high(index, self.reciprocal);
+        let column = index - row * self.columns();
+        if column < self.columns() { [column, row] } else { [column - self.columns(), row + 1] }
     }
 }
 
@@ -146,15 +185,70 @@ impl Grid {
 #[inline(always)]
 const fn repeat(index: u32, size: u32) -> u32 {
     if index < size {
-        return index;
+        index
+    } else if HALVES {
+        remainder(index, size)
+    } else {
+        match index.checked_rem(size) {
+            Some(index) => index,
+            None => 0,
+        }
     }
-    match index.checked_rem(size) {
-        Some(index) => index,
-        None => 0,
+}
+
+/// `index` modulo `size` by doubling and subtracting: a core that does not divide would link 800 bytes for what is seldom asked.
+#[cold]
+#[inline(never)]
+const fn remainder(index: u32, size: u32) -> u32 {
+    let mut rest = index;
+    while size > 0 && rest >= size {
+        let mut multiple = size;
+        while multiple <= rest / 2 {
+            multiple *= 2;
+        }
+        rest -= multiple;
     }
+    rest
 }
 
 /// The check that a set without a grid is not empty.
 const fn not_empty(count: u32) -> Result<(), Error> {
     if count == 0 { Err(Error::EmptySet) } else { Ok(()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bits::hash::mix;
+
+    fn lengths() -> impl Iterator<Item = u32> {
+        let about = |n: u32| [n - 1, n, n + 1];
+        let powers = (1..32).flat_map(move |bit| about(1 << bit));
+        powers.chain([3, 5, 7, 641, 1_431_655_765, u32::MAX - 1, u32::MAX]).filter(|&n| n > 0)
+    }
+
+    #[test]
+    fn cells_are_quotients_and_remainders() {
+        for columns in lengths() {
+            let grid = Grid::new(columns, 1).unwrap();
+            let multiples = (1..100).map(|i| (u32::MAX / columns).saturating_sub(i) * columns);
+            let edges = multiples.flat_map(|k| [k.wrapping_sub(1), k, k.wrapping_add(1)]);
+            let ends = (0..100).flat_map(|i| [i, u32::MAX - i, columns.wrapping_mul(i)]);
+            for index in edges.chain(ends).chain((0..1000).map(mix)) {
+                let cell = [index % columns, index / columns];
+                assert_eq!(grid.cell(index), cell, "{index} of {columns}");
+            }
+        }
+    }
+
+    #[test]
+    fn remainders_by_bits_are_remainders() {
+        for size in lengths() {
+            let ends = (0..100).flat_map(|i| [i, u32::MAX - i, size.wrapping_mul(i)]);
+            for index in ends.chain((0..1000).map(mix)) {
+                assert_eq!(remainder(index, size), index % size, "{index} mod {size}");
+                assert_eq!(repeat(index, size), index % size, "{index} mod {size}");
+            }
+        }
+    }
 }

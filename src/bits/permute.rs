@@ -11,14 +11,25 @@
 //! whole list is shuffled in the nibbles of one word (Fisher and Yates; R. Durstenfeld, "Algorithm
 //! 235", 1964), every permutation as likely as 28 bits can tell: 8! / 2^28 is 0.015 %.
 
-use super::hash::mix;
+use super::{
+    hash::mix,
+    wide::{HALVES, high},
+};
 
 /// Rounds of swap-or-not. A chi-square test of places, or of pairs of places, can tell 10 from random
 /// (tests/promises/permutation.rs); and a round leaves an element where it is with probability 1/2,
 /// so log2(len) + 4 leave one element in 16 sets more in its place than chance does.
 const fn rounds(len: u32) -> u32 {
-    let enough = 36 - len.leading_zeros();
-    if enough > 12 { enough } else { 12 }
+    let mut rounds = 12;
+    if HALVES {
+        // Such a core has no `clz`, and short lists end the count at once.
+        while rounds < 36 && (len - 1) >> (rounds - 4) > 0 {
+            rounds += 1;
+        }
+    } else if len > 256 {
+        rounds = 36 - (len - 1).leading_zeros();
+    }
+    rounds
 }
 
 /// The longest list whose places fit the nibbles of a word.
@@ -26,8 +37,8 @@ const SHORT: u32 = 8;
 
 /// The place of `index` in the permutation of 0..`len` that `seed` selects.
 ///
-/// Takes 12 rounds of two hashes each (log2(len) + 4 above 256), or two hashes and up to 7 swaps for
-/// `len` <= 8. An `index` that is not below `len` is returned as it is.
+/// Takes 12 rounds of four multiplications each (log2(len) + 4 above 256), or two hashes and up to 7
+/// swaps for `len` <= 8. An `index` that is not below `len` is returned as it is.
 ///
 /// ```
 /// use hemidisc::bits::permute::permute;
@@ -48,22 +59,57 @@ pub const fn permute(index: u32, len: u32, seed: u32) -> u32 {
 
 const fn swapped_or_not(index: u32, len: u32, seed: u32) -> u32 {
     let mut x = index;
-    let mut state = seed;
+    // Rounds take a word each from a linear congruential generator of full period (the multiplier: G. Steele
+    // and S. Vigna, "Computationally Easy, Spectrally Good Multipliers", 2022): no word comes twice, or a round
+    // would undo another. Neighbouring seeds begin far apart.
+    let mut state = mix(seed ^ 0x9e37_79b9);
     let mut left = rounds(len);
     while left > 0 {
-        // The number of the round, or a seed would repeat one key, and each round undo the last.
-        state = mix(state.wrapping_add(0x9e37_79b9) ^ left);
-        let key = ((state as u64 * len as u64) >> 32) as u32;
+        state = state.wrapping_mul(0x915f_77f5).wrapping_add(0x9e37_79b9);
+        let key = below(len, state);
         let partner = if key >= x { key - x } else { len - (x - key) };
         let upper = if x > partner { x } else { partner };
-        if mix(upper ^ state.rotate_left(16)) & 1 != 0 {
-            x = partner;
-        }
+        x = either(x, partner, hash(upper ^ state));
         left -= 1;
     }
     x
 }
 
+/// A number below `len`: floor(`len` bits / 2^32), by two products where `len` is half a word.
+#[inline(always)]
+const fn below(len: u32, bits: u32) -> u32 {
+    if HALVES && len < 1 << 16 {
+        ((bits >> 16) * len + (((bits & 0xffff) * len) >> 16)) >> 16
+    } else {
+        high(bits, len)
+    }
+}
+
+/// Of two numbers the second where the highest bit of `bits` is set.
+///
+/// A wide core guesses at a branch, and is wrong every other time; its compilers make one of whatever they see to
+/// be a choice, which a look-up is not.
+#[inline(always)]
+const fn either(first: u32, second: u32, bits: u32) -> u32 {
+    if cfg!(target_pointer_width = "64") {
+        const MASKS: [u32; 2] = [0, u32::MAX];
+        first ^ (first ^ second) & MASKS[(bits >> 31) as usize]
+    } else if bits >> 31 == 0 {
+        first
+    } else {
+        second
+    }
+}
+
+/// A hash whose highest bit depends on all of `x`: after two multiplications there is no need for more.
+#[inline(always)]
+const fn hash(x: u32) -> u32 {
+    let x = x.wrapping_mul(0x21f0_aaad);
+    (x ^ (x >> 15)).wrapping_mul(0xd35a_2d97)
+}
+
+// Apart, for it is long once the compiler has unrolled it, and short lists are rare.
+#[inline(never)]
 const fn shuffled(index: u32, len: u32, seed: u32) -> u32 {
     const BITS: u32 = 28;
     let mut places = 0x7654_3210_u32;

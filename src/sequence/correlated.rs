@@ -68,7 +68,10 @@ impl Correlated {
             permute(column, columns, self.columns) * rows + permute(row, rows, self.rows);
         let [u, v] = self.jitter.at(index);
         // r m + c is the shuffled index itself.
-        [self.fine.jittered(fine_column, u), self.fine.jittered(index, v)]
+        [
+            self.fine.jittered(self.fine.first(fine_column), u),
+            self.fine.jittered(self.fine.first(index), v),
+        ]
     }
 }
 

@@ -1,8 +1,8 @@
 //! Hammersley set of N points: u = i / N, v = the radical inverse of i in base 2
 //! (J. Hammersley, "Monte Carlo Methods for Solving Multivariable Problems", 1960).
 
-use super::{Sequence, not_empty, repeat};
-use crate::bits::strata::Strata;
+use super::{Sequence, not_empty, repeat, walked};
+use crate::bits::{reversed::Reversed, strata::Strata};
 use crate::error::Error;
 
 /// The N-point Hammersley set: u = ceil(2^32 i / N), v = i with its bits reversed.
@@ -48,5 +48,22 @@ impl Sequence for Hammersley {
     #[inline(always)]
     fn point(&self, index: u32) -> [u32; 2] {
         self.at(index)
+    }
+
+    #[inline(always)]
+    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
+        let strata = self.strata;
+        walked(
+            start,
+            move |index| {
+                let index = repeat(index, strata.count());
+                ((Reversed::new(index), strata.first(index)), strata.count() - index)
+            },
+            move |(v, u)| {
+                let point = [*u, v.bits()];
+                (*v, *u) = (v.after(), strata.after(*u));
+                point
+            },
+        )
     }
 }

@@ -1,7 +1,7 @@
 //! Jittered points: one uniformly random point in every cell of an m x n grid
 //! (R. Cook, "Stochastic Sampling in Computer Graphics", 1986).
 
-use super::{Grid, Sequence, repeat};
+use super::{Block, Grid, Sequence, block_in_order, repeat, walked};
 use crate::bits::{hash::Pairs, strata::Strata};
 use crate::error::Error;
 
@@ -47,7 +47,10 @@ impl Jittered {
         let index = repeat(index, self.grid.size());
         let [column, row] = self.grid.cell(index);
         let [u, v] = self.jitter.at(index);
-        [self.columns.jittered(column, u), self.rows.jittered(row, v)]
+        [
+            self.columns.jittered(self.columns.first(column), u),
+            self.rows.jittered(self.rows.first(row), v),
+        ]
     }
 }
 
@@ -59,5 +62,30 @@ impl Sequence for Jittered {
     #[inline(always)]
     fn point(&self, index: u32) -> [u32; 2] {
         self.at(index)
+    }
+
+    /// A row at a time.
+    #[inline(always)]
+    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
+        let Self { grid, columns, rows, jitter } = *self;
+        walked(
+            start,
+            move |index| {
+                let index = repeat(index, grid.size());
+                let [column, row] = grid.cell(index);
+                ((index, columns.first(column), rows.first(row)), grid.columns() - column)
+            },
+            move |(index, left, top)| {
+                let [u, v] = jitter.at(*index);
+                let point = [columns.jittered(*left, u), rows.jittered(*top, v)];
+                (*index, *left) = (index.wrapping_add(1), columns.after(*left));
+                point
+            },
+        )
+    }
+
+    #[inline(always)]
+    fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
+        block_in_order(self.iter(start), u, v);
     }
 }

@@ -5,7 +5,7 @@
 //! r m + Q_r(c) of an mn x mn board, where P_c permutes the n rows of column c and Q_r the m
 //! columns of row r, each with a key of its own.
 
-use super::{Grid, Sequence, repeat};
+use super::{Grid, Sequence, repeat, walked};
 use crate::bits::{
     hash::{Pairs, key, mix},
     permute::permute,
@@ -58,14 +58,22 @@ impl MultiJittered {
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let index = repeat(index, self.grid.size());
+        self.in_cell(index, self.grid.cell(index))
+    }
+
+    /// The point of an index inside the set, whose cell is known.
+    #[inline(always)]
+    const fn in_cell(self, index: u32, [column, row]: [u32; 2]) -> [u32; 2] {
         let (columns, rows) = (self.grid.columns(), self.grid.rows());
-        let [column, row] = self.grid.cell(index);
         let fine_column =
             column * rows + permute(row, rows, mix(self.in_columns.wrapping_add(column)));
         let fine_row =
             row * columns + permute(column, columns, mix(self.in_rows.wrapping_add(row)));
         let [u, v] = self.jitter.at(index);
-        [self.fine.jittered(fine_column, u), self.fine.jittered(fine_row, v)]
+        [
+            self.fine.jittered(self.fine.first(fine_column), u),
+            self.fine.jittered(self.fine.first(fine_row), v),
+        ]
     }
 }
 
@@ -77,5 +85,24 @@ impl Sequence for MultiJittered {
     #[inline(always)]
     fn point(&self, index: u32) -> [u32; 2] {
         self.at(index)
+    }
+
+    /// A row at a time.
+    #[inline(always)]
+    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
+        let set = *self;
+        walked(
+            start,
+            move |index| {
+                let index = repeat(index, set.grid.size());
+                let [column, row] = set.grid.cell(index);
+                ((index, [column, row]), set.grid.columns() - column)
+            },
+            move |(index, cell)| {
+                let point = set.in_cell(*index, *cell);
+                (*index, cell[0]) = (index.wrapping_add(1), cell[0] + 1);
+                point
+            },
+        )
     }
 }

@@ -1,7 +1,7 @@
 //! N-rooks (Latin hypercube) points: N rooks on an N x N board, none attacking another
 //! (P. Shirley, "Discrepancy as a Quality Measure for Sample Distributions", 1991).
 
-use super::{Sequence, not_empty, repeat};
+use super::{Sequence, not_empty, repeat, walked};
 use crate::bits::{
     hash::{Pairs, key},
     permute::permute,
@@ -51,9 +51,15 @@ impl NRooks {
     pub const fn at(self, index: u32) -> [u32; 2] {
         let count = self.strata.count();
         let column = repeat(index, count);
-        let row = permute(column, count, self.rows);
+        self.in_column(column, self.strata.first(column))
+    }
+
+    /// The point of a column that begins at `left`.
+    #[inline(always)]
+    const fn in_column(self, column: u32, left: u32) -> [u32; 2] {
+        let row = permute(column, self.strata.count(), self.rows);
         let [u, v] = self.jitter.at(column);
-        [self.strata.jittered(column, u), self.strata.jittered(row, v)]
+        [self.strata.jittered(left, u), self.strata.jittered(self.strata.first(row), v)]
     }
 }
 
@@ -65,5 +71,22 @@ impl Sequence for NRooks {
     #[inline(always)]
     fn point(&self, index: u32) -> [u32; 2] {
         self.at(index)
+    }
+
+    #[inline(always)]
+    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
+        let set = *self;
+        walked(
+            start,
+            move |index| {
+                let column = repeat(index, set.strata.count());
+                ((column, set.strata.first(column)), set.strata.count() - column)
+            },
+            move |(column, left)| {
+                let point = set.in_column(*column, *left);
+                (*column, *left) = (*column + 1, set.strata.after(*left));
+                point
+            },
+        )
     }
 }

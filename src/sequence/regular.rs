@@ -3,15 +3,14 @@
 //! Coordinate c of m is the cell floor((2c + 1) 2^31 / m) that holds (2c + 1) / 2m, which is never on
 //! the edge of a stratum. Point i is in column i mod m, row i / m.
 
-use super::{Grid, Sequence, repeat};
+use super::{Block, Grid, Sequence, block_in_order, repeat, walked};
+use crate::bits::strata::Strata;
 use crate::error::Error;
-use core::num::NonZeroU32;
 
 /// The centres of an m x n grid: column i mod m, row i / m.
 ///
 /// Promise: exactly one point in each of the m x n cells, at its centre, for at most 2^31 columns and
-/// rows. (Above that a centre and the edge below it may be in one cell of the coordinate.) Takes no seed. A point
-/// costs two 64-bit divisions.
+/// rows. (Above that a centre and the edge below it may be in one cell of the coordinate.) Takes no seed.
 ///
 /// ```
 /// use hemidisc::sequence::Regular;
@@ -22,6 +21,8 @@ use core::num::NonZeroU32;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Regular {
     grid: Grid,
+    columns: Centres,
+    rows: Centres,
 }
 
 impl Regular {
@@ -31,7 +32,7 @@ impl Regular {
     /// [`Error::EmptyGrid`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
     pub const fn new(columns: u32, rows: u32) -> Result<Self, Error> {
         match Grid::new(columns, rows) {
-            Ok(grid) => Ok(Self { grid }),
+            Ok(grid) => Ok(Self { grid, columns: Centres::new(columns), rows: Centres::new(rows) }),
             Err(error) => Err(error),
         }
     }
@@ -40,13 +41,33 @@ impl Regular {
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let [column, row] = self.grid.cell(repeat(index, self.grid.size()));
-        [centre(column, self.grid.columns), centre(row, self.grid.rows)]
+        let (left, top) = (self.columns.strata.first(column), self.rows.strata.first(row));
+        [self.columns.centre(left), self.rows.centre(top)]
     }
 }
 
-/// floor((2c + 1) 2^31 / count): at most (2^33 - 1) 2^31, which 64 bits hold.
-const fn centre(stratum: u32, count: NonZeroU32) -> u32 {
-    (((2 * stratum as u64 + 1) << 31) / count.get() as u64) as u32
+/// The centres of the strata of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Centres {
+    strata: Strata,
+    /// floor(2^31 / count) and 2^31 mod count: half a stratum.
+    half: u32,
+    rest: u32,
+}
+
+impl Centres {
+    const fn new(count: u32) -> Self {
+        let strata = Strata::new(count);
+        Self { strata, half: (1 << 31) / strata.count(), rest: (1 << 31) % strata.count() }
+    }
+
+    /// floor((2c + 1) 2^31 / count) for the stratum that begins at `first`: that is c 2^32 / count + s / count
+    /// with a slack s < count, and the centre half a stratum further on and s / count back.
+    #[inline(always)]
+    const fn centre(self, first: u32) -> u32 {
+        let slack = first.wrapping_mul(self.strata.count());
+        first.wrapping_add(self.half).wrapping_sub((slack > self.rest) as u32)
+    }
 }
 
 impl Sequence for Regular {
@@ -57,5 +78,29 @@ impl Sequence for Regular {
     #[inline(always)]
     fn point(&self, index: u32) -> [u32; 2] {
         self.at(index)
+    }
+
+    /// A row at a time.
+    #[inline(always)]
+    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
+        let Self { grid, columns, rows } = *self;
+        walked(
+            start,
+            move |index| {
+                let [column, row] = grid.cell(repeat(index, grid.size()));
+                let v = rows.centre(rows.strata.first(row));
+                ((columns.strata.first(column), v), grid.columns() - column)
+            },
+            move |(left, v)| {
+                let point = [columns.centre(*left), *v];
+                *left = columns.strata.after(*left);
+                point
+            },
+        )
+    }
+
+    #[inline(always)]
+    fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
+        block_in_order(self.iter(start), u, v);
     }
 }

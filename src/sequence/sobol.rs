@@ -4,7 +4,7 @@
 //! modulo 2, the Kronecker power of [1 1; 0 1], so it acts on the reversed index in five xor-shift
 //! steps. Indices are in natural order, not Gray code.
 
-use super::{BLOCK, Block, Sequence};
+use super::{BLOCK, Block, Sequence, walked};
 use crate::bits::hash::shift;
 
 /// The Sobol (0, 2)-sequence, with an optional digital (xor) shift.
@@ -73,6 +73,19 @@ const OFFSETS: [Block; 2] = {
     offsets
 };
 
+const FEW: usize = 16;
+
+/// The first few points.
+const FIRST: [[u32; 2]; FEW] = {
+    let mut first = [[0; 2]; FEW];
+    let mut index = 0;
+    while index < FEW {
+        first[index] = textbook(index as u32);
+        index += 1;
+    }
+    first
+};
+
 impl Sequence for Sobol {
     fn size(&self) -> Option<u32> {
         None
@@ -81,6 +94,24 @@ impl Sequence for Sobol {
     #[inline(always)]
     fn point(&self, index: u32) -> [u32; 2] {
         self.at(index)
+    }
+
+    /// As a block, of as few as a small image has room for.
+    #[inline(always)]
+    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
+        let sequence = *self;
+        walked(
+            start,
+            move |index| {
+                let offset = index % FEW as u32;
+                ((sequence.at(index - offset), offset), FEW as u32 - offset)
+            },
+            |([u, v], offset)| {
+                let [du, dv] = FIRST[*offset as usize % FEW];
+                *offset += 1;
+                [*u ^ du, *v ^ dv]
+            },
+        )
     }
 
     /// Both matrices are linear over xor, so a block is its first point xor a table.

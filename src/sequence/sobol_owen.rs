@@ -41,8 +41,13 @@ impl SobolOwen {
     /// The point of any index.
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
+        self.at_shuffled(shuffle(index, self.order))
+    }
+
+    /// The point of a shuffled index.
+    #[inline(always)]
+    const fn at_shuffled(self, u: u32) -> [u32; 2] {
         // The reversed coordinates of the point are the shuffled index and Pascal's matrix on it.
-        let u = shuffle(index, self.order);
         let v = pascal_reversed(u);
         [
             scramble_reversed(u, self.axes[0]).reverse_bits(),
@@ -65,5 +70,20 @@ impl Sequence for SobolOwen {
     #[inline(always)]
     fn point(&self, index: u32) -> [u32; 2] {
         self.at(index)
+    }
+
+    /// Pairs stay pairs, so an odd index is shuffled to what the even one before it is, with the last bit changed.
+    #[inline(always)]
+    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
+        let (sequence, mut index) = (*self, start);
+        let mut even = shuffle(start & !1, sequence.order);
+        core::iter::repeat_with(move || {
+            if index & 1 == 0 {
+                even = shuffle(index, sequence.order);
+            }
+            let point = sequence.at_shuffled(even ^ index & 1);
+            index = index.wrapping_add(1);
+            point
+        })
     }
 }

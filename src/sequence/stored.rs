@@ -1,6 +1,6 @@
 //! Points that the caller has stored: recorded, random, or a table in flash.
 
-use super::{Block, Sequence, looked_up, repeat};
+use super::{Block, Sequence, block_in_order, looked_up, repeat};
 use crate::error::Error;
 
 /// The caller's own points, in a slice of at least one.
@@ -83,9 +83,7 @@ impl Sequence for Stored<'_> {
 
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
-        for ((u, v), point) in u.iter_mut().zip(v).zip(self.iter(start)) {
-            [*u, *v] = point;
-        }
+        block_in_order(self.iter(start), u, v);
     }
 }
 

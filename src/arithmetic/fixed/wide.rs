@@ -1,28 +1,8 @@
 //! Wide products: 32 x 32 and 64 x 64 bits, and the upper half of either.
 //!
-//! A core without a 32 x 32 -> 64 multiplier (Armv6-M) calls a 64 x 64 routine for the product of two
-//! `u32`; four products of halves are a third of its cost. A factor from a table comes in halves: the
-//! compiler would join those of one word and call the routine all the same. Every form gives the same bits.
+//! The unsigned ones of 32 bits are `bits::wide`'s, which says why there are forms by halves.
 
-/// Whether the core multiplies 32 x 32 bits to 32 alone.
-pub(in crate::arithmetic) const HALVES: bool =
-    cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
-
-/// a b.
-#[inline(always)]
-pub(in crate::arithmetic) const fn product(a: u32, b: u32) -> u64 {
-    a as u64 * b as u64
-}
-
-/// floor(a b / 2^32).
-#[inline(always)]
-pub(in crate::arithmetic) const fn high(a: u32, b: u32) -> u32 {
-    if HALVES {
-        high_by_halves(a, [(b >> 16) as u16, b as u16])
-    } else {
-        (product(a, b) >> 32) as u32
-    }
-}
+pub(in crate::arithmetic) use crate::bits::wide::{HALVES, high, high_by_halves, product};
 
 /// floor(a b / 2^32); |a| is below 2^31 - 2^16.
 #[inline(always)]
@@ -30,18 +10,7 @@ pub(in crate::arithmetic) const fn high_signed(a: i32, b: u32) -> i32 {
     ((a as i64 * b as i64) >> 32) as i32
 }
 
-/// [`high`] by products of 16 bits, of a factor in halves, the upper first.
-#[inline(always)]
-pub(in crate::arithmetic) const fn high_by_halves(a: u32, [b1, b0]: [u16; 2]) -> u32 {
-    let (a1, a0) = (a >> 16, a & 0xffff);
-    let (b1, b0) = (b1 as u32, b0 as u32);
-    // Each sum is at most (2^16 - 1)^2 + 2^16 - 1 < 2^32.
-    let middle = a1 * b0 + ((a0 * b0) >> 16);
-    let other = a0 * b1 + (middle & 0xffff);
-    a1 * b1 + (middle >> 16) + (other >> 16)
-}
-
-/// [`high_signed`] in the same way.
+/// [`high_signed`] by products of 16 bits, of a factor in halves, the upper first.
 #[inline(always)]
 pub(in crate::arithmetic) const fn high_signed_by_halves(a: i32, [b1, b0]: [u16; 2]) -> i32 {
     let (a1, a0) = (a >> 16, a.cast_unsigned() & 0xffff);
@@ -85,10 +54,6 @@ mod tests {
             last = state ^ state >> 31;
             let (words, wide) = ((a as u32, b as u32), u128::from(a) * u128::from(b));
             let halves = [(words.1 >> 16) as u16, words.1 as u16];
-            let exact = u64::from(words.0) * u64::from(words.1);
-            assert_eq!(product(words.0, words.1), exact);
-            assert_eq!(u64::from(high(words.0, words.1)), exact >> 32);
-            assert_eq!(u64::from(high_by_halves(words.0, halves)), exact >> 32);
             for signed in [words.0.cast_signed() / 2, -(words.0.cast_signed() / 2)] {
                 let exact = (i64::from(signed) * i64::from(words.1)) >> 32;
                 assert_eq!(i64::from(high_signed(signed, words.1)), exact);
