@@ -9,7 +9,7 @@
 //! **Polar.** The angle within the octant is exact, and so is its bucket; r is a root from a table.
 
 use super::super::fixed::Q15;
-use super::tables::{BUCKETS, LINES, RECIPROCAL, RECIPROCAL_SHIFT, ROOT};
+use super::tables::{BUCKETS, HALF, LINES, RECIPROCAL, RECIPROCAL_SHIFT, ROOT};
 
 /// A point of the disc before it is rounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,24 +35,6 @@ impl Q15Disc {
     pub(in crate::arithmetic) const fn rim(self) -> u32 {
         self.r2.wrapping_neg()
     }
-}
-
-/// Linear interpolation in a table: `position` counts nodes in its integer part, with 16 bits of fraction.
-#[inline(always)]
-pub(super) const fn interpolate<const N: usize>(table: &[u16; N], position: u32) -> u32 {
-    let i = (position >> 16) as usize;
-    if i + 1 >= N {
-        return table[N - 1] as u32;
-    }
-    let (here, next) = (table[i] as i32, table[i + 1] as i32);
-    let step = ((next - here) * ((position >> 1) & 0x7fff).cast_signed() + 0x4000) >> 15;
-    (here + step).cast_unsigned()
-}
-
-/// The root of x in [1/4, 1), both in fractions of their words: 2^-32 to 2^-16.
-#[inline(always)]
-pub(super) const fn root(x: u32) -> u32 {
-    interpolate(&ROOT, (x >> 8).wrapping_sub(64 << 16))
 }
 
 /// The magnitude about the centre in 2^-16, odd, of the cell of a coordinate; and its sign, -1 where positive.
@@ -131,7 +113,7 @@ pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
     let sin = (((lines.c as u32) << 14) + t * lines.d as u32 + (1 << 12)) >> 13;
     let r2 = (v >> 16 << 16) | 0x8000;
     let cos = if cos < ALMOST_1 { cos } else { ALMOST_1 };
-    let r = root_of(r2);
+    let r = root_of(r2) >> 16;
     let (x, y) = ((cos * r) >> 1, (sin * r) >> 1);
     Q15Disc {
         magnitude: if steep { [y, x] } else { [x, y] },
@@ -140,25 +122,22 @@ pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
     }
 }
 
-/// The root of any x > 0: 2^-32 to 2^-16.
+/// The root of any x > 0, plus [`HALF`], both in 2^-32.
 #[inline(always)]
 pub(super) const fn root_of(x: u32) -> u32 {
-    let (mut x, mut shift) = (x, 0);
-    while x < 1 << 30 {
+    if x >> 30 != 0 {
+        return ROOT.rising(x);
+    }
+    let (mut x, mut shift) = (x << 2, 1);
+    while x >> 30 == 0 {
         x <<= 2;
         shift += 1;
     }
-    (root(x) + (1 << shift >> 1)) >> shift
+    ((ROOT.rising(x) - HALF) >> shift) + HALF
 }
 
 /// A number from its magnitude in LSBs, below 2^15, and its sign, -1 where it is positive.
 #[inline(always)]
 pub(super) const fn signed(magnitude: u32, sign: i32) -> Q15 {
     Q15::from_bits((sign - (magnitude.cast_signed() ^ sign)) as i16)
-}
-
-/// A number from its magnitude in 2^-31, to the nearest LSB, and its sign.
-#[inline(always)]
-pub(super) const fn rounded(magnitude: u32, sign: i32) -> Q15 {
-    signed((magnitude + 0x8000) >> 16, sign)
 }

@@ -1,8 +1,7 @@
 //! The tables of Q15, computed when the crate is compiled; an image holds those that its maps read.
 //!
-//! Each is read with linear interpolation. A chord lies to one side of its curve, so every node is moved
-//! by half of the largest distance, f'' w^2 / 16 for a bucket of width w: what is left is that much to both
-//! sides.
+//! A chord lies to one side of its curve, so each is moved by half of the largest distance, f'' w^2 / 16 for
+//! a bucket of width w: what is left is that much to both sides.
 
 /// Cosine and sine of pi/4 t, by their series; for t in [0, 2].
 const fn octant(t: f64) -> [f64; 2] {
@@ -58,11 +57,6 @@ const fn log2(x: f64) -> f64 {
     2.0 * sum * core::f64::consts::LOG2_E
 }
 
-const fn round(x: f64) -> u16 {
-    // A cast saturates: what would be 2^16 is 2^16 - 1.
-    (x + 0.5) as u16
-}
-
 /// What a table holds.
 #[derive(Clone, Copy)]
 enum Function {
@@ -93,34 +87,86 @@ const fn value(function: Function, x: f64) -> f64 {
     }
 }
 
-/// `N` nodes `step` apart from `start` on, in units of 1 / `scale`.
-const fn table<const N: usize>(function: Function, start: f64, step: f64, scale: f64) -> [u16; N] {
-    let mut nodes = [0; N];
-    let mut i = 0;
-    while i < N {
-        let x = start + i as f64 * step;
-        let here = value(function, x);
-        // f'' w^2 / 16 from the chord about the node, of half the width.
-        let bend = 0.5 * (value(function, x - 0.5 * step) + value(function, x + 0.5 * step)) - here;
-        nodes[i] = round((here - 0.5 * bend) * scale);
-        i += 1;
+/// Chords of a function of [0, 1) over `N` buckets; its argument in 2^-32.
+///
+/// A word is the value at its bucket's beginning, 19 bits of 2^-19, above what it changes by over the
+/// bucket, 13 bits of 2^-18. The value at a place within the bucket, of 14 bits, is the whole word plus (or
+/// minus) their product: one table, and one product and sum.
+#[derive(Clone, Copy)]
+pub(super) struct Chords<const N: usize>([u32; N]);
+
+const CHANGE: u32 = (1 << 13) - 1;
+
+impl<const N: usize> Chords<N> {
+    /// The function of [0, 1] times `scale`, plus `bias` of 2^-32; nothing in the buckets before `first`.
+    const fn new(function: Function, from: usize, scale: f64, bias: f64, edge: f64) -> Self {
+        let mut words = [0; N];
+        let unit = 4_294_967_296.0;
+        let mut i = from;
+        while i < N {
+            let width = 1.0 / N as f64;
+            let x = i as f64 * width;
+            let (first, last) = (value(function, x) * scale, value(function, x + width) * scale);
+            let middle = value(function, x + 0.5 * width) * scale;
+            // Half of the largest distance from the curve to either side.
+            let bias = if i == from || i == N - 1 { edge } else { bias };
+            let centre = 0.5 * (0.5 * (first + last) + middle) * unit + bias;
+            let step = (last - first) * unit / 16_384.0;
+            let change = (if step < 0.0 { -step } else { step } + 0.5) as u32;
+            assert!(change <= CHANGE);
+            // The word's low bits add to what is read.
+            let half = 8_192.0 * if step < 0.0 { -(change as f64) } else { change as f64 };
+            let begin = centre - half - change as f64;
+            let mut begin = ((begin + 4_096.0) as u64) & !(CHANGE as u64);
+            // A value of 1 has no place.
+            let rise = if step < 0.0 { 0 } else { change as u64 * 16_383 };
+            while begin + change as u64 + rise >= 1 << 32 {
+                begin -= 1 << 13;
+            }
+            words[i] = begin as u32 | change;
+            i += 1;
+        }
+        Self(words)
     }
-    nodes
+
+    /// Its word, and the place within.
+    #[inline(always)]
+    const fn word(&self, x: u32) -> (u32, u32) {
+        let bits = N.ilog2();
+        (self.0[(x >> (32 - bits)) as usize & (N - 1)], (x << bits) >> 18)
+    }
+
+    #[inline(always)]
+    pub(super) const fn rising(&self, x: u32) -> u32 {
+        let (word, place) = self.word(x);
+        word + (word & CHANGE) * place
+    }
+
+    #[inline(always)]
+    pub(super) const fn falling(&self, x: u32) -> u32 {
+        let (word, place) = self.word(x);
+        word - (word & CHANGE) * place
+    }
 }
 
-/// sqrt of x in [1/4, 1] by 256ths, in 2^-16.
-pub(super) const ROOT: [u16; 193] = table(Function::Root, 0.25, 1.0 / 256.0, 65_536.0);
-/// 1 / sqrt of x in [1/2, 1] by 256ths, in 2^-15.
-pub(super) const INVERSE_ROOT: [u16; 129] =
-    table(Function::InverseRoot, 0.0, 1.0 / 128.0, 32_768.0);
-/// log2 of x in [1, 2] by 64ths, in 2^-16.
-pub(super) const LOG: [u16; 65] = table(Function::Log, 0.0, 1.0 / 64.0, 65_536.0);
-/// 2^-x of x in [0, 1] by 64ths, in 2^-16.
-pub(super) const EXP: [u16; 65] = table(Function::Exp, 0.0, 1.0 / 64.0, 65_536.0);
-/// sqrt(-log2(1 - x) / x) of x in [0, 1/2] by 128ths, in 2^-15.
-pub(super) const POLE: [u16; 65] = table(Function::Pole, 0.0, 1.0 / 64.0, 32_768.0);
-/// sqrt((1 - 4^-x) / (2 ln 2 x)) of x in [0, 1] by 64ths, in 2^-16.
-pub(super) const BEND: [u16; 65] = table(Function::Bend, 0.0, 1.0 / 64.0, 65_536.0);
+/// Half an LSB in 2^-32: what is shifted to a whole LSB is so rounded.
+pub(super) const HALF: u32 = 1 << 16;
+/// Half of 2^-16.
+const HALF_16: f64 = 32_768.0;
+
+/// sqrt x of x >= 1/4, plus [`HALF`].
+pub(super) const ROOT: Chords<128> = Chords::new(Function::Root, 32, 1.0, HALF as f64, 0.0);
+/// 1 / sqrt(1/2 + x / 2), halved.
+pub(super) const INVERSE_ROOT: Chords<128> =
+    Chords::new(Function::InverseRoot, 0, 0.5, HALF_16, 0.5 * HALF_16);
+/// log2(1 + x).
+pub(super) const LOG: Chords<64> = Chords::new(Function::Log, 0, 1.0, HALF_16, HALF_16);
+/// 2^-x, plus [`HALF`].
+pub(super) const EXP: Chords<64> = Chords::new(Function::Exp, 0, 1.0, HALF as f64, HALF as f64);
+/// sqrt(-log2(1 - y) / y) of y = x / 2, halved.
+pub(super) const POLE: Chords<64> = Chords::new(Function::Pole, 0, 0.5, HALF_16, HALF_16);
+/// sqrt((1 - 4^-x) / (2 ln 2 x)).
+pub(super) const BEND: Chords<64> = Chords::new(Function::Bend, 0, 1.0, HALF_16, HALF_16);
 
 /// Lines for a bucket of t: cos(pi/4 t) = a - b t and sin(pi/4 t) = c + d t, in 2^-15.
 #[derive(Clone, Copy)]
@@ -180,7 +226,7 @@ pub(super) const RECIPROCAL: [u16; 256] = {
     let mut i = 16;
     while i < 256 {
         let middle = 256.0 * (i as f64 + 0.5);
-        table[i] = round((BUCKETS << RECIPROCAL_SHIFT) as f64 / middle);
+        table[i] = ((BUCKETS << RECIPROCAL_SHIFT) as f64 / middle + 0.5) as u16;
         i += 1;
     }
     table
