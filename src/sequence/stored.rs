@@ -46,10 +46,15 @@ impl<'a> Stored<'a> {
     #[inline(always)]
     fn stretch(&self, start: u32) -> &'a [[u32; 2]] {
         let first = repeat(start, self.points.len() as u32) as usize;
-        let from = self.points.get(first..).unwrap_or_default();
-        let indices = if start == 0 { usize::MAX } else { start.wrapping_neg() as usize };
-        from.get(..indices).unwrap_or(from)
+        up_to_the_last_index(self.points.get(first..).unwrap_or_default(), start)
     }
+}
+
+/// Of points whose first has the index `start`.
+#[inline(always)]
+fn up_to_the_last_index(points: &[[u32; 2]], start: u32) -> &[[u32; 2]] {
+    let indices = if start == 0 { usize::MAX } else { start.wrapping_neg() as usize };
+    points.get(..indices).unwrap_or(points)
 }
 
 impl Sequence for Stored<'_> {
@@ -71,13 +76,14 @@ impl Sequence for Stored<'_> {
 
     #[inline(always)]
     fn fill_with<P>(&self, start: u32, slots: &mut [P], map: impl Fn([u32; 2]) -> P) {
-        let (mut start, mut left) = (start, slots);
+        let (mut start, mut left, mut from) = (start, slots, self.stretch(start));
         while !left.is_empty() {
-            let from = self.stretch(start);
             let (slots, rest) = left.split_at_mut(left.len().min(from.len()));
             walk(from, slots, &map);
             start = start.wrapping_add(slots.len() as u32);
             left = rest;
+            // Index 0 as well as the slice's end is followed by the slice's first point.
+            from = up_to_the_last_index(self.points, start);
         }
     }
 

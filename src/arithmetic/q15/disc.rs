@@ -30,10 +30,10 @@ impl Q15Disc {
         [signed(x >> 16, sign_x), signed(y >> 16, sign_y)]
     }
 
-    /// 1 - r^2 in 2^-32, exactly.
+    /// 1 - r^2 in 2^-32, less one: the complement needs no constant.
     #[inline(always)]
     pub(in crate::arithmetic) const fn rim(self) -> u32 {
-        self.r2.wrapping_neg()
+        !self.r2
     }
 }
 
@@ -69,11 +69,9 @@ const fn bucket(a: u32, b: u32) -> Option<u32> {
 /// One point in 256 is so near the centre that the top bits would not do.
 #[cold]
 #[inline(never)]
-const fn bucket_near_centre(mut a: u32, mut b: u32) -> u32 {
-    while a >> 12 == 0 {
-        a <<= 4;
-        b <<= 4;
-    }
+const fn bucket_near_centre(a: u32, b: u32) -> u32 {
+    let (a, b) = if a >> 8 == 0 { (a << 8, b << 8) } else { (a, b) };
+    let (a, b) = if a >> 12 == 0 { (a << 4, b << 4) } else { (a, b) };
     match bucket(a, b) {
         Some(bucket) => bucket,
         None => 0,
@@ -125,11 +123,11 @@ pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
 /// The root of any x > 0, plus [`HALF`], both in 2^-32.
 #[inline(always)]
 pub(super) const fn root_of(x: u32) -> u32 {
-    if x >> 30 != 0 {
+    if x >= 1 << 30 {
         return ROOT.rising(x);
     }
     let (mut x, mut shift) = (x << 2, 1);
-    while x >> 30 == 0 {
+    while x < 1 << 30 {
         x <<= 2;
         shift += 1;
     }

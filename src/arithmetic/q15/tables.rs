@@ -90,12 +90,12 @@ const fn value(function: Function, x: f64) -> f64 {
 /// Chords of a function of [0, 1) over `N` buckets; its argument in 2^-32.
 ///
 /// A word is the value at its bucket's beginning, 19 bits of 2^-19, above what it changes by over the
-/// bucket, 13 bits of 2^-18. The value at a place within the bucket, of 14 bits, is the whole word plus (or
-/// minus) their product: one table, and one product and sum.
+/// bucket, 12 bits of 2^-17, and a 0. The value at a place within the bucket, of 15 bits, is the whole word
+/// plus (or minus) their product: one table, one product and one sum.
 #[derive(Clone, Copy)]
 pub(super) struct Chords<const N: usize>([u32; N]);
 
-const CHANGE: u32 = (1 << 13) - 1;
+const CHANGE: u32 = (1 << 12) - 1;
 
 impl<const N: usize> Chords<N> {
     /// The function of [0, 1] times `scale`, plus `bias` of 2^-32; nothing in the buckets before `first`.
@@ -111,19 +111,19 @@ impl<const N: usize> Chords<N> {
             // Half of the largest distance from the curve to either side.
             let bias = if i == from || i == N - 1 { edge } else { bias };
             let centre = 0.5 * (0.5 * (first + last) + middle) * unit + bias;
-            let step = (last - first) * unit / 16_384.0;
+            let step = (last - first) * unit / 32_768.0;
             let change = (if step < 0.0 { -step } else { step } + 0.5) as u32;
             assert!(change <= CHANGE);
             // The word's low bits add to what is read.
-            let half = 8_192.0 * if step < 0.0 { -(change as f64) } else { change as f64 };
-            let begin = centre - half - change as f64;
-            let mut begin = ((begin + 4_096.0) as u64) & !(CHANGE as u64);
+            let half = 16_384.0 * if step < 0.0 { -(change as f64) } else { change as f64 };
+            let begin = centre - half - 2.0 * change as f64;
+            let mut begin = ((begin + 4_096.0) as u64) & !0x1fff;
             // A value of 1 has no place.
-            let rise = if step < 0.0 { 0 } else { change as u64 * 16_383 };
-            while begin + change as u64 + rise >= 1 << 32 {
+            let rise = if step < 0.0 { 0 } else { change as u64 * 32_767 };
+            while begin + 2 * change as u64 + rise >= 1 << 32 {
                 begin -= 1 << 13;
             }
-            words[i] = begin as u32 | change;
+            words[i] = begin as u32 | change << 1;
             i += 1;
         }
         Self(words)
@@ -133,19 +133,19 @@ impl<const N: usize> Chords<N> {
     #[inline(always)]
     const fn word(&self, x: u32) -> (u32, u32) {
         let bits = N.ilog2();
-        (self.0[(x >> (32 - bits)) as usize & (N - 1)], (x << bits) >> 18)
+        (self.0[(x >> (32 - bits)) as usize & (N - 1)], (x << bits) >> 17)
     }
 
     #[inline(always)]
     pub(super) const fn rising(&self, x: u32) -> u32 {
         let (word, place) = self.word(x);
-        word + (word & CHANGE) * place
+        word + (word >> 1 & CHANGE) * place
     }
 
     #[inline(always)]
     pub(super) const fn falling(&self, x: u32) -> u32 {
         let (word, place) = self.word(x);
-        word - (word & CHANGE) * place
+        word - (word >> 1 & CHANGE) * place
     }
 }
 
@@ -155,7 +155,7 @@ pub(super) const HALF: u32 = 1 << 16;
 const HALF_16: f64 = 32_768.0;
 
 /// sqrt x of x >= 1/4, plus [`HALF`].
-pub(super) const ROOT: Chords<128> = Chords::new(Function::Root, 32, 1.0, HALF as f64, 0.0);
+pub(super) const ROOT: Chords<128> = Chords::new(Function::Root, 32, 1.0, HALF as f64, -0.15 * HALF as f64);
 /// 1 / sqrt(1/2 + x / 2), halved.
 pub(super) const INVERSE_ROOT: Chords<128> =
     Chords::new(Function::InverseRoot, 0, 0.5, HALF_16, 0.5 * HALF_16);
