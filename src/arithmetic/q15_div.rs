@@ -27,21 +27,27 @@ impl Q15Div {
 #[inline(always)]
 pub(super) const fn concentric([u, v]: [u32; 2]) -> Q15Disc {
     let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));
-    let (a, b) = if v > u { (v, u) } else { (u, v) };
-    // t and q in 2^-16, at most 1; a magnitude is odd, so a is not 0.
-    let t = match (b << 16).checked_div(a) {
-        Some(t) => t,
-        None => 0,
-    };
-    let q = if t > 0xffff { 0xffff } else { (t * t) >> 16 };
+    if v > u {
+        let (y, x) = turned(v, u);
+        Q15Disc { magnitude: [x, y], sign: [sign_u, sign_v], r2: v * v }
+    } else {
+        let (x, y) = turned(u, v);
+        Q15Disc { magnitude: [x, y], sign: [sign_u, sign_v], r2: u * u }
+    }
+}
+
+/// (a cos, a sin) of the angle pi/4 b/a, in 2^-31; a and b odd, b <= a < 2^16.
+#[inline(always)]
+const fn turned(a: u32, b: u32) -> (u32, u32) {
+    // b/a and its square in 2^-16, less than 1. An odd number is not 0, which the compiler may not see.
+    let t = ((b << 16) - 1) / (a | 1);
+    let q = (t * t) >> 16;
     let cos = COSINE[0] - (((COSINE[1] - ((COSINE[2] * q) >> 16)) * q) >> 16);
     let sin = SINE[0] - (((SINE[1] - ((SINE[2] * q) >> 16)) * q) >> 16);
-    let (x, y) = ((a * cos) >> 1, (b * sin) >> 1);
-    let magnitude = if v > u { [y, x] } else { [x, y] };
-    Q15Disc { magnitude, sign: [sign_u, sign_v], r2: a * a }
+    ((a * cos) >> 1, (b * sin) >> 1)
 }
 
 /// In 2^-16.
-const COSINE: [u32; 3] = [65_533, 20_200, 1_007];
+const COSINE: [u32; 3] = [65_534, 20_199, 1_006];
 /// In 2^-16.
-const SINE: [u32; 3] = [51_470, 5_291, 160];
+const SINE: [u32; 3] = [51_468, 5_276, 148];
