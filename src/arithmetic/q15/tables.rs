@@ -99,7 +99,7 @@ const CHANGE: u32 = (1 << 12) - 1;
 
 impl<const N: usize> Chords<N> {
     /// The function of [0, 1] times `scale`, plus `bias` of 2^-32; nothing in the buckets before `first`.
-    const fn new(function: Function, from: usize, scale: f64, bias: f64, edge: f64) -> Self {
+    const fn new(function: Function, from: usize, scale: f64, bias: f64, edges: [f64; 2]) -> Self {
         let mut words = [0; N];
         let unit = 4_294_967_296.0;
         let mut i = from;
@@ -107,18 +107,20 @@ impl<const N: usize> Chords<N> {
             let width = 1.0 / N as f64;
             let x = i as f64 * width;
             let (first, last) = (value(function, x) * scale, value(function, x + width) * scale);
-            let middle = value(function, x + 0.5 * width) * scale;
             // Half of the largest distance from the curve to either side.
-            let bias = if i == from || i == N - 1 { edge } else { bias };
-            let centre = 0.5 * (0.5 * (first + last) + middle) * unit + bias;
-            let step = (last - first) * unit / 32_768.0;
+            let bend = 0.5 * (first + last) - value(function, x + 0.5 * width) * scale;
+            let first = (first - 0.5 * bend) * unit + if i == from { edges[0] } else { bias };
+            let last = (last - 0.5 * bend) * unit + if i == N - 1 { edges[1] } else { bias };
+            // 1 has no place.
+            let last = if last < unit - 1.0 { last } else { unit - 1.0 };
+            let first = if first < unit - 1.0 { first } else { unit - 1.0 };
+            let step = (last - first) / 32_768.0;
             let change = (if step < 0.0 { -step } else { step } + 0.5) as u32;
             assert!(change <= CHANGE);
             // The word's low bits add to what is read.
             let half = 16_384.0 * if step < 0.0 { -(change as f64) } else { change as f64 };
-            let begin = centre - half - 2.0 * change as f64;
+            let begin = 0.5 * (first + last) - half - 2.0 * change as f64;
             let mut begin = ((begin + 4_096.0) as u64) & !0x1fff;
-            // A value of 1 has no place.
             let rise = if step < 0.0 { 0 } else { change as u64 * 32_767 };
             while begin + 2 * change as u64 + rise >= 1 << 32 {
                 begin -= 1 << 13;
@@ -155,18 +157,20 @@ pub(super) const HALF: u32 = 1 << 16;
 const HALF_16: f64 = 32_768.0;
 
 /// sqrt x of x >= 1/4, plus [`HALF`].
-pub(super) const ROOT: Chords<128> = Chords::new(Function::Root, 32, 1.0, HALF as f64, -0.15 * HALF as f64);
+pub(super) const ROOT: Chords<128> =
+    Chords::new(Function::Root, 32, 1.0, HALF as f64, [-0.15 * HALF as f64, 1.0 * HALF as f64]);
 /// 1 / sqrt(1/2 + x / 2), halved.
 pub(super) const INVERSE_ROOT: Chords<128> =
-    Chords::new(Function::InverseRoot, 0, 0.5, HALF_16, 0.5 * HALF_16);
+    Chords::new(Function::InverseRoot, 0, 0.5, HALF_16, [0.5 * HALF_16; 2]);
 /// log2(1 + x).
-pub(super) const LOG: Chords<64> = Chords::new(Function::Log, 0, 1.0, HALF_16, HALF_16);
+pub(super) const LOG: Chords<64> = Chords::new(Function::Log, 0, 1.0, HALF_16, [HALF_16; 2]);
 /// 2^-x, plus [`HALF`].
-pub(super) const EXP: Chords<64> = Chords::new(Function::Exp, 0, 1.0, HALF as f64, HALF as f64);
+pub(super) const EXP: Chords<64> =
+    Chords::new(Function::Exp, 0, 1.0, HALF as f64, [HALF as f64; 2]);
 /// sqrt(-log2(1 - y) / y) of y = x / 2, halved.
-pub(super) const POLE: Chords<64> = Chords::new(Function::Pole, 0, 0.5, HALF_16, HALF_16);
+pub(super) const POLE: Chords<64> = Chords::new(Function::Pole, 0, 0.5, HALF_16, [HALF_16; 2]);
 /// sqrt((1 - 4^-x) / (2 ln 2 x)).
-pub(super) const BEND: Chords<64> = Chords::new(Function::Bend, 0, 1.0, HALF_16, HALF_16);
+pub(super) const BEND: Chords<64> = Chords::new(Function::Bend, 0, 1.0, HALF_16, [HALF_16; 2]);
 
 /// Lines for a bucket of t: cos(pi/4 t) = a - b t and sin(pi/4 t) = c + d t, in 2^-15.
 #[derive(Clone, Copy)]
