@@ -1,10 +1,10 @@
-//! Fast f32: polynomials of its own, no branch, no library: a fill becomes vector code.
+//! Fast f32: polynomials of its own, no library; no branch, so that a fill becomes vector code.
 //!
 //! **Octant.** Both disc maps fold to 0 <= phi <= pi/4, phi = pi/4 t. With q = t^2, x = r - r P(q) and
 //! y = r t - r t R(q), P = 1 - cos phi and R = 1 - sin phi / t: no angle, no sign logic, and since both are
 //! below 0.3 their own roundings count little. The concentric map has r t = n, the minor magnitude,
-//! without the error of the division t = n/m. The octant is put in its place by exclusive-or alone, so
-//! mirror images are equal bit for bit.
+//! without the error of the division t = n/m. The octant is put in its place by a swap and two sign bits
+//! alone, so mirror images are equal bit for bit.
 //!
 //! **Coordinates.** A magnitude m < 2^31 is (m + 1/2) / 2^31, by a conversion from *signed* integers, which
 //! vector units have and round correctly. 1 - r is as accurate, from 2^31 - 1 - m, and
@@ -13,6 +13,10 @@
 //! **Inward.** Within 2 eps of the circle both components move one ulp toward zero. The test is four
 //! operations and the step two, on all points alike; a shrink of all points by as much would be as cheap
 //! and cost the accuracy of all of them.
+//!
+//! **Branches.** A small core has no vectors, and a branch costs it less than the swap or the test that the
+//! branch avoids: there both sides of the diagonal have code of their own, and only points near the rim are
+//! tested. The bits are the same.
 //!
 //! **Lobes.** sin theta is the root of r^2 (1 + (1 - r^2)) for the uniform lobe; the power lobe takes one
 //! logarithm and one exponential, from which z and 1 - z both come without cancellation.
@@ -31,6 +35,7 @@ use super::Arithmetic;
 use crate::error::Error;
 use crate::map::DiscMap;
 use crate::sequence::{BLOCK, Block};
+use disc::BRANCHES;
 use functions::Functions;
 
 const NAME: &str = "fast-f32";
@@ -54,13 +59,13 @@ impl FastF32 {
     /// The concentric map: what [`Concentric`](crate::Concentric) gives, as a `const fn`.
     #[inline(always)]
     pub const fn concentric(uv: [u32; 2]) -> [f32; 2] {
-        disc::concentric(uv).place()
+        disc::concentric::<BRANCHES>(uv).point
     }
 
     /// The polar map: what [`Polar`](crate::Polar) gives, as a `const fn`.
     #[inline(always)]
     pub const fn polar(uv: [u32; 2]) -> [f32; 2] {
-        disc::polar(uv).place()
+        disc::polar::<BRANCHES>(uv).point
     }
 
     /// Square root of x in [0, MAX], which `core` does not have.
@@ -73,7 +78,7 @@ impl FastF32 {
     #[doc(hidden)]
     #[inline(always)]
     pub const fn octant(distance: f32, t: f32) -> [f32; 2] {
-        disc::FastDisc::octant(distance, t).place()
+        FastDisc::octant::<BRANCHES>(distance, t)
     }
 
     /// 1 - cos(pi/4 t) and 1 - sin(pi/4 t) / t from t^2, for the tests.
@@ -126,29 +131,29 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn concentric<const RIM: bool>(uv: [u32; 2]) -> FastDisc {
-        disc::concentric(uv)
+        disc::concentric::<BRANCHES>(uv)
     }
 
     #[inline(always)]
     fn polar<const RIM: bool>(uv: [u32; 2]) -> FastDisc {
-        disc::polar(uv)
+        disc::polar::<BRANCHES>(uv)
     }
 
     #[inline(always)]
     fn store(disc: FastDisc) -> [f32; 2] {
-        disc.place()
+        disc.point
     }
 
     /// sin^2 theta = 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)).
     #[inline(always)]
     fn uniform(disc: FastDisc) -> [f32; 3] {
-        let [x, y] = disc.place_at(disc::root_to_1(disc.r2 * (1.0 + disc.rim)));
+        let [x, y] = disc.place_at::<BRANCHES>(disc::root_to_1(disc.r2 * (1.0 + disc.rim)));
         [x, y, disc.rim]
     }
 
     #[inline(always)]
     fn cosine(disc: FastDisc) -> [f32; 3] {
-        let [x, y] = disc.place();
+        let [x, y] = disc.point;
         [x, y, functions::normal_sqrt(disc.rim)]
     }
 

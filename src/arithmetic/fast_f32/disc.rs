@@ -1,24 +1,37 @@
 //! The disc kernels: both maps to an octant, and the octant to its place.
 
 use super::functions::{Functions, gaps, normal_sqrt};
+use crate::arithmetic::Arithmetic;
 use crate::arithmetic::float::{FloatDisc, lowered};
 use crate::square::fold;
 
-/// A point of the disc, folded to the octant 0 <= y <= x.
+/// Whether branches cost less than the operations that avoid them: where nothing becomes vector code. The
+/// bits are the same either way.
+pub(super) const BRANCHES: bool = !<Functions as Arithmetic>::BLOCKED;
+
+/// A point of the disc, and how it came to its place from the octant 0 <= y <= x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FastDisc {
-    /// r, and r t with t = phi / (pi/4) in [0, 1].
-    larger: f32,
-    smaller: f32,
+    /// As it is stored.
+    pub(super) point: [f32; 2],
+    /// The same, or where an inverse begins, as long as it may be.
+    direction: [f32; 2],
+    /// phi / (pi/4) in the octant, in [0, 1].
     t: f32,
     /// 1 - cos phi and 1 - sin phi / t.
     gaps: [f32; 2],
+    turn: Turn,
     pub(super) r2: f32,
     /// 1 - r^2.
     pub(super) rim: f32,
+}
+
+/// From the octant to a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Turn {
     /// All ones where x and y swap places.
     swap: u32,
-    /// The sign bits of x and y.
+    /// Words with the signs of x and y.
     signs: [u32; 2],
 }
 
@@ -53,11 +66,11 @@ const fn mask(condition: bool) -> u32 {
     (condition as u32).wrapping_neg()
 }
 
-/// The two words, exchanged where the mask is ones.
+/// The two numbers, exchanged where the mask is ones.
 #[inline(always)]
-const fn exchanged(mask: u32, [a, b]: [u32; 2]) -> [u32; 2] {
-    let difference = (a ^ b) & mask;
-    [a ^ difference, b ^ difference]
+const fn exchanged(mask: u32, [a, b]: [f32; 2]) -> [f32; 2] {
+    let difference = (a.to_bits() ^ b.to_bits()) & mask;
+    [f32::from_bits(a.to_bits() ^ difference), f32::from_bits(b.to_bits() ^ difference)]
 }
 
 /// The next numbers toward zero of both, where they are within 2 eps of the circle or beyond it.
@@ -65,95 +78,128 @@ const fn exchanged(mask: u32, [a, b]: [u32; 2]) -> [u32; 2] {
 /// The square of the length is computed to 5/4 eps, so a point left alone is inside. One outside is so
 /// by less than the step takes, which tests/fast_f32.rs proves on the rims.
 #[inline(always)]
-const fn inward([x, y]: [f32; 2]) -> [u32; 2] {
+const fn inward([x, y]: [f32; 2]) -> [f32; 2] {
     let near = (x * x + y * y > 1.0 - f32::EPSILON) as u32;
-    [x.to_bits() - near, y.to_bits() - near]
+    [f32::from_bits(x.to_bits() - near), f32::from_bits(y.to_bits() - near)]
 }
 
+/// Two magnitudes with the signs of two words.
 #[inline(always)]
-const fn signed([x, y]: [u32; 2], signs: [u32; 2]) -> [f32; 2] {
-    [f32::from_bits(x | signs[0]), f32::from_bits(y | signs[1])]
+const fn signed<const BRANCHES: bool>([x, y]: [f32; 2], signs: [u32; 2]) -> [f32; 2] {
+    // They have none yet; where Arm sees as much, it inserts a magnitude into a word at once.
+    let (x, y) = if BRANCHES { (x.abs(), y.abs()) } else { (x, y) };
+    [f32::from_bits(signs[0] & SIGN | x.to_bits()), f32::from_bits(signs[1] & SIGN | y.to_bits())]
+}
+
+impl Turn {
+    /// The point of larger - larger cos and smaller - smaller sin. Not `at_rim` means inside by more than all
+    /// errors: a branch then spares it the exact test.
+    #[inline(always)]
+    const fn place<const BRANCHES: bool>(
+        self,
+        [larger, smaller]: [f32; 2],
+        [cos, sin]: [f32; 2],
+        at_rim: bool,
+    ) -> [f32; 2] {
+        let Self { swap, signs } = self;
+        if !BRANCHES {
+            let point = inward([larger - larger * cos, smaller - smaller * sin]);
+            return signed::<BRANCHES>(exchanged(swap, point), signs);
+        }
+        // Formed in its place: to swap two results would cost Arm five instructions.
+        let point = if swap == 0 {
+            [larger - larger * cos, smaller - smaller * sin]
+        } else {
+            [smaller - smaller * sin, larger - larger * cos]
+        };
+        signed::<BRANCHES>(if at_rim { inward(point) } else { point }, signs)
+    }
 }
 
 /// The square [-1, 1]^2, for coordinates inside the disc.
 #[inline(always)]
 pub(super) const fn centred([u, v]: [u32; 2]) -> [f32; 2] {
     const SCALE: f32 = 1.0 / 2_147_483_648.0;
-    let ((m_u, sign_u), (m_v, sign_v)) = (fold(u), fold(v));
+    let ((m_u, _), (m_v, _)) = (fold(u), fold(v));
     let point = inward([centre(m_u) * SCALE, centre(m_v) * SCALE]);
-    signed(point, [sign_u.cast_unsigned() & SIGN, sign_v.cast_unsigned() & SIGN])
+    signed::<BRANCHES>(point, [u ^ SIGN, v ^ SIGN])
 }
 
 #[inline(always)]
-pub(super) const fn concentric([u, v]: [u32; 2]) -> FastDisc {
-    const SCALE: f32 = 1.0 / 2_147_483_648.0;
-    let ((m_u, sign_u), (m_v, sign_v)) = (fold(u), fold(v));
-    let swap = mask(m_v.cast_signed() > m_u.cast_signed());
-    let [major, minor] = exchanged(swap, [m_u, m_v]);
-    let (a, b) = (centre(major), centre(minor));
-    let t = b / a;
-    let larger = a * SCALE;
-    let to_rim = centre(0x7fff_ffff - major) * SCALE;
-    FastDisc {
-        larger,
-        smaller: b * SCALE,
-        t,
-        gaps: gaps(t * t),
-        r2: larger * larger,
-        rim: to_rim * (2.0 - to_rim),
-        swap,
-        signs: [sign_u.cast_unsigned() & SIGN, sign_v.cast_unsigned() & SIGN],
+pub(super) const fn concentric<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDisc {
+    let ((m_u, _), (m_v, _)) = (fold(u), fold(v));
+    let signs = [u ^ SIGN, v ^ SIGN];
+    let steep = m_v.cast_signed() > m_u.cast_signed();
+    if !BRANCHES {
+        let swap = mask(steep);
+        let difference = (m_u ^ m_v) & swap;
+        return ring::<BRANCHES>([m_u ^ difference, m_v ^ difference], Turn { swap, signs });
+    }
+    // Twice all of it, so that nothing is swapped.
+    if steep {
+        ring::<BRANCHES>([m_v, m_u], Turn { swap: !0, signs })
+    } else {
+        ring::<BRANCHES>([m_u, m_v], Turn { swap: 0, signs })
     }
 }
 
+/// The point of a larger and a smaller magnitude.
 #[inline(always)]
-pub(super) const fn polar([u, v]: [u32; 2]) -> FastDisc {
+const fn ring<const BRANCHES: bool>([major, minor]: [u32; 2], turn: Turn) -> FastDisc {
+    const SCALE: f32 = 1.0 / 2_147_483_648.0;
+    let (a, b) = (centre(major), centre(minor));
+    let t = b / a;
+    let gaps = gaps(t * t);
+    let larger = a * SCALE;
+    let to_rim = centre(0x7fff_ffff - major) * SCALE;
+    let (r2, rim) = (larger * larger, to_rim * (2.0 - to_rim));
+    // r >= 1 - 16 eps.
+    let at_rim = major >= 0x7fff_f800;
+    let point = turn.place::<BRANCHES>([larger, b * SCALE], gaps, at_rim);
+    FastDisc { point, direction: point, t, gaps, turn, r2, rim }
+}
+
+#[inline(always)]
+pub(super) const fn polar<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDisc {
     // u and !u are mirror images in the x axis: fold before rounding.
     let below = (u.cast_signed() >> 31).cast_unsigned();
     let half = u ^ below;
     // 31 bits of a half turn: the quarter, the octant in it, 29 bits within.
     let left = mask(half & 1 << 30 != 0);
     let quarter = half ^ (left & 0x7fff_ffff);
-    let steep = mask(quarter & 1 << 29 != 0);
-    let octant = quarter ^ (steep & 0x3fff_ffff);
+    let swap = mask(quarter & 1 << 29 != 0);
+    let octant = quarter ^ (swap & 0x3fff_ffff);
     let t = centre(octant) * (1.0 / 536_870_912.0);
     let (r2, _) = halves(v);
     let (rim, _) = halves(!v);
     let r = normal_sqrt(r2);
-    FastDisc {
-        larger: r,
-        smaller: r * t,
-        t,
-        gaps: gaps(t * t),
-        r2,
-        rim,
-        swap: steep,
-        signs: [left & SIGN, below & SIGN],
-    }
+    let gaps = gaps(t * t);
+    let turn = Turn { swap, signs: [half << 1, u] };
+    // r^2 >= 1 - 16 eps.
+    let at_rim = v >= 0xffff_f000;
+    let point = turn.place::<BRANCHES>([r, r * t], gaps, at_rim);
+    FastDisc { point, direction: point, t, gaps, turn, r2, rim }
 }
 
 impl FastDisc {
     /// The point at r and phi = pi/4 t.
     #[inline(always)]
-    pub(super) const fn octant(r: f32, t: f32) -> Self {
-        let (r2, rim) = (r * r, (1.0 - r) * (1.0 + r));
-        let gaps = gaps(t * t);
-        Self { larger: r, smaller: r * t, t, gaps, r2, rim, swap: 0, signs: [0; 2] }
-    }
-
-    /// The point at distance r.
-    #[inline(always)]
-    pub(super) const fn place(self) -> [f32; 2] {
-        let Self { larger, smaller, gaps: [cos, sin], swap, signs, .. } = self;
-        let point = inward([larger - larger * cos, smaller - smaller * sin]);
-        signed(exchanged(swap, point), signs)
+    pub(super) const fn octant<const BRANCHES: bool>(r: f32, t: f32) -> [f32; 2] {
+        let turn = Turn { swap: 0, signs: [0; 2] };
+        turn.place::<BRANCHES>([r, r * t], gaps(t * t), at_rim(r))
     }
 
     /// The point in the same direction at another distance.
     #[inline(always)]
-    pub(super) const fn place_at(self, distance: f32) -> [f32; 2] {
-        Self { larger: distance, smaller: distance * self.t, ..self }.place()
+    pub(super) const fn place_at<const BRANCHES: bool>(self, distance: f32) -> [f32; 2] {
+        let ends = [distance, distance * self.t];
+        self.turn.place::<BRANCHES>(ends, self.gaps, at_rim(distance))
     }
+}
+
+#[inline(always)]
+const fn at_rim(distance: f32) -> bool {
+    distance > 1.0 - 8.0 * f32::EPSILON
 }
 
 /// Square root of what is at most 1 but for its rounding.
@@ -166,24 +212,52 @@ pub(super) const fn root_to_1(square: f32) -> f32 {
 impl From<FloatDisc<f32>> for FastDisc {
     #[inline]
     fn from(disc: FloatDisc<f32>) -> Self {
-        let [x, y] = disc.direction.map(f32::to_bits);
-        let magnitudes = [x & !SIGN, y & !SIGN];
-        // Magnitudes compare as their bits do.
-        let swap = mask(magnitudes[1] > magnitudes[0]);
-        let [larger, smaller] = exchanged(swap, magnitudes).map(f32::from_bits);
-        // On an axis no step toward zero is left: keep off the rim. Only the ratio matters.
-        let larger = if smaller == 0.0 { larger.min(1.0 - f32::EPSILON) } else { larger };
-        let (r2, rim) = (disc.r2, disc.rim);
-        let signs = [x & SIGN, y & SIGN];
-        Self { larger, smaller, t: 0.0, gaps: [0.0; 2], r2, rim, swap, signs }
+        let FloatDisc { direction: direction @ [x, y], r2, rim, .. } = disc;
+        let mut magnitudes = [x.abs(), y.abs()];
+        if x == 0.0 || y == 0.0 {
+            // On an axis no step toward zero is left: keep off the rim.
+            magnitudes = magnitudes.map(|component| component.min(1.0 - f32::EPSILON));
+        }
+        let signs = direction.map(f32::to_bits);
+        let point = signed::<BRANCHES>(inward(magnitudes), signs);
+        let turn = Turn { swap: 0, signs };
+        Self { point, direction, t: 0.0, gaps: [0.0; 2], turn, r2, rim }
     }
 }
 
 impl From<FastDisc> for FloatDisc<f32> {
     #[inline]
     fn from(disc: FastDisc) -> Self {
-        let FastDisc { larger, smaller, gaps: [cos, sin], swap, signs, r2, rim, .. } = disc;
-        let point = [larger - larger * cos, smaller - smaller * sin].map(f32::to_bits);
-        lowered::<Functions>(signed(exchanged(swap, point), signs), r2, rim)
+        lowered::<Functions>(disc.direction, disc.r2, disc.rim)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Words near powers of two from both ends and the middle, and across the tests for the rim.
+    fn words() -> impl Iterator<Item = u32> + Clone {
+        let steps = (0..31).flat_map(|bit| [1 << bit, (1 << bit) - 1, (1 << bit) + 5]);
+        let rim = (0..1 << 13).step_by(61);
+        steps.chain(rim).flat_map(|step: u32| [step, !step, step ^ 0x8000_0000, step ^ 0x7fff_ffff])
+    }
+
+    /// Both forms are compiled everywhere, though a target takes one of them.
+    #[test]
+    fn branches_do_not_change_a_bit() {
+        for u in words() {
+            for v in words() {
+                let uv = [u, v];
+                assert_eq!(concentric::<true>(uv), concentric::<false>(uv), "{u:x} {v:x}");
+                assert_eq!(polar::<true>(uv), polar::<false>(uv), "{u:x} {v:x}");
+            }
+        }
+        for (u, below) in words().zip((0..64).cycle()) {
+            let distance = f32::from_bits(1.0_f32.to_bits() - below);
+            for disc in [concentric::<true>([u, !u]), polar::<true>([u, u.rotate_left(9)])] {
+                assert_eq!(disc.place_at::<true>(distance), disc.place_at::<false>(distance));
+            }
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! The power lobe of fast f32: the exponent prepared, and the lift.
 
 use super::FastF32;
-use super::disc::{FastDisc, root_to_1};
+use super::disc::{BRANCHES, FastDisc, root_to_1};
 use super::functions::{Functions, LN_MIN, exp, ln_complement};
 use crate::arithmetic::{Arithmetic, PowerExponent};
 use crate::error::Error;
@@ -45,7 +45,7 @@ impl FastExponent {
 #[inline(always)]
 pub(super) const fn lift(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
     let [square, z] = elevation(exponent, ln_complement(disc.r2, disc.rim));
-    let [x, y] = disc.place_at(root_to_1(square) * exponent.shrink);
+    let [x, y] = disc.place_at::<BRANCHES>(root_to_1(square) * exponent.shrink);
     [x, y, z]
 }
 
@@ -86,7 +86,7 @@ pub(super) fn lift_block<D: DiscMap<Arithmetic = FastF32>>(
     }
     let elevations = sines.iter().zip(&cosines);
     for ((slot, (sin, cos)), (u, v)) in out.iter_mut().zip(elevations).zip(u.iter().zip(v)) {
-        let [x, y] = disc.disc::<false>([*u, *v]).place_at(*sin);
+        let [x, y] = disc.disc::<false>([*u, *v]).place_at::<BRANCHES>(*sin);
         slot[0] = x;
         slot[1] = y;
         slot[2] = *cos;
