@@ -3,8 +3,8 @@
 //! **Coordinates.** The top 16 bits are the cell; its centre is 2u - 1 = +-a / 2^16 with an odd a < 2^16.
 //!
 //! **Concentric.** With a the larger magnitude, b the smaller and t = b/a, cos(pi/4 t) is a line in t on
-//! each of 128 buckets, within 0.1 LSB, and so x = a (A - B t) = a A - b B: no quotient, only the bucket
-//! of t, and a near neighbour's line does little harm. A table of 256 reciprocals finds it.
+//! each of 62 buckets, within 0.7 LSB, and so x = a (A - B t) = a A - b B: no quotient, only the bucket of
+//! t, and a near neighbour's line does little harm. A table of 256 reciprocals finds it.
 //!
 //! **Polar.** The angle within the octant is exact, and so is its bucket; r is a root from a table.
 
@@ -62,7 +62,7 @@ pub(in crate::arithmetic) const fn concentric([u, v]: [u32; 2]) -> Q15Disc {
 const fn bucket(a: u32, b: u32) -> Option<u32> {
     match RECIPROCAL[(a >> 8) as usize & 255] {
         0 => None,
-        reciprocal => Some((b * reciprocal as u32) >> RECIPROCAL_SHIFT & 63),
+        reciprocal => Some(((b * reciprocal as u32) >> RECIPROCAL_SHIFT) & 63),
     }
 }
 
@@ -105,7 +105,7 @@ pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
     let steep = quarter & 1 << 13 != 0;
     let octant = if steep { quarter ^ 0x3fff } else { quarter };
     let t = 2 * octant + 1;
-    let lines = LINES[(octant * BUCKETS >> 13) as usize & 63];
+    let lines = LINES[((octant * BUCKETS) >> 13) as usize & 63];
     // From 2^-29 to 2^-16.
     let cos = (((lines.a as u32) << 14) - t * lines.b as u32 + (1 << 12)) >> 13;
     let sin = (((lines.c as u32) << 14) + t * lines.d as u32 + (1 << 12)) >> 13;
@@ -120,13 +120,14 @@ pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
     }
 }
 
-/// The root of any x > 0, plus [`HALF`], both in 2^-32.
+/// The root of any x, plus [`HALF`], both in 2^-32.
 #[inline(always)]
 pub(super) const fn root_of(x: u32) -> u32 {
     if x >= 1 << 30 {
         return ROOT.rising(x);
     }
-    let (mut x, mut shift) = (x << 2, 1);
+    // The 1 ends the loop whatever x is.
+    let (mut x, mut shift) = ((x << 2) | 1, 1);
     while x < 1 << 30 {
         x <<= 2;
         shift += 1;

@@ -142,7 +142,7 @@ pub(in crate::arithmetic) const fn power(exponent: Q15Exponent, disc: Q15Disc) -
         return lifted(disc, factor, exponent.spread_shift as u32, height(EXP.falling(lambda)));
     }
     // The 1, of 2^-32, ends the loop whatever r^2 is.
-    let (mut mantissa, mut whole) = (disc.rim() << 1 | 1, 2);
+    let (mut mantissa, mut whole) = ((disc.rim() << 1) | 1, 2);
     while mantissa >> 31 == 0 {
         mantissa <<= 1;
         whole += 1;
@@ -155,7 +155,8 @@ pub(in crate::arithmetic) const fn power(exponent: Q15Exponent, disc: Q15Disc) -
     if whole == 0 {
         // sin theta = spread sqrt L sqrt g.
         let bend = BEND.falling(lambda << 16) >> 16;
-        // sqrt L = root 2^scale.
+        // sqrt L = root 2^scale. L >= 4 takes e > 3 to be here, and the spread has a shift; L >= 16 takes e > 15,
+        // and it has two.
         let (part, scale) = match log >> 18 {
             0 => (log << 14, 1),
             1..4 => (log << 12, 2),

@@ -98,30 +98,27 @@ pub(super) struct Chords<const N: usize>([u32; N]);
 const CHANGE: u32 = (1 << 12) - 1;
 
 impl<const N: usize> Chords<N> {
-    /// The function of [0, 1] times `scale`, plus `bias` of 2^-32; nothing in the buckets before `first`.
-    const fn new(function: Function, from: usize, scale: f64, bias: f64, edges: [f64; 2]) -> Self {
-        let mut words = [0; N];
-        let unit = 4_294_967_296.0;
-        let mut i = from;
+    /// The function times `scale`, plus a bias of 2^-32 that is another where the chords begin, and at 1; from
+    /// a bucket on.
+    const fn new(function: Function, from: usize, scale: f64, bias: f64, ends: [f64; 2]) -> Self {
+        const ONE: f64 = 4_294_967_296.0;
+        let (mut words, width, mut i) = ([0; N], 1.0 / N as f64, from);
         while i < N {
-            let width = 1.0 / N as f64;
             let x = i as f64 * width;
             let (first, last) = (value(function, x) * scale, value(function, x + width) * scale);
-            // Half of the largest distance from the curve to either side.
+            // Half of the largest distance from the curve, to either side.
             let bend = 0.5 * (first + last) - value(function, x + 0.5 * width) * scale;
-            let first = (first - 0.5 * bend) * unit + if i == from { edges[0] } else { bias };
-            let last = (last - 0.5 * bend) * unit + if i == N - 1 { edges[1] } else { bias };
+            let first = (first - 0.5 * bend) * ONE + if i == from { ends[0] } else { bias };
+            let last = (last - 0.5 * bend) * ONE + if i == N - 1 { ends[1] } else { bias };
             // 1 has no place.
-            let last = if last < unit - 1.0 { last } else { unit - 1.0 };
-            let first = if first < unit - 1.0 { first } else { unit - 1.0 };
-            let step = (last - first) / 32_768.0;
-            let change = (if step < 0.0 { -step } else { step } + 0.5) as u32;
+            let (first, last) = (first.min(ONE - 1.0), last.min(ONE - 1.0));
+            let change = ((last - first).abs() / 32_768.0 + 0.5) as u32;
             assert!(change <= CHANGE);
-            // The word's low bits add to what is read.
-            let half = 16_384.0 * if step < 0.0 { -(change as f64) } else { change as f64 };
+            let rise = if last < first { 0 } else { change as u64 * 32_767 };
+            // Exact in the middle of the bucket, and less the word's low bits, which add to what is read.
+            let half = 16_384.0 * if last < first { -(change as f64) } else { change as f64 };
             let begin = 0.5 * (first + last) - half - 2.0 * change as f64;
-            let mut begin = ((begin + 4_096.0) as u64) & !0x1fff;
-            let rise = if step < 0.0 { 0 } else { change as u64 * 32_767 };
+            let mut begin = (begin + 4_096.0) as u64 & !0x1fff;
             while begin + 2 * change as u64 + rise >= 1 << 32 {
                 begin -= 1 << 13;
             }
@@ -151,22 +148,23 @@ impl<const N: usize> Chords<N> {
     }
 }
 
-/// Half an LSB in 2^-32: what is shifted to a whole LSB is so rounded.
+/// Half an LSB in 2^-32: what is then shifted to LSBs is rounded.
 pub(super) const HALF: u32 = 1 << 16;
+const HALF_LSB: f64 = HALF as f64;
 /// Half of 2^-16.
 const HALF_16: f64 = 32_768.0;
 
-/// sqrt x of x >= 1/4, plus [`HALF`].
+/// sqrt x of x >= 1/4, plus [`HALF`]. Next to 1/4 it is that much smaller than the curve that the uniform lobe
+/// stays inside at the rim.
 pub(super) const ROOT: Chords<128> =
-    Chords::new(Function::Root, 32, 1.0, HALF as f64, [-0.15 * HALF as f64, 1.0 * HALF as f64]);
-/// 1 / sqrt(1/2 + x / 2), halved.
+    Chords::new(Function::Root, 32, 1.0, HALF_LSB, [-0.15 * HALF_LSB, HALF_LSB]);
+/// 1 / sqrt(1/2 + x / 2), halved; less at its ends, for the power lobe at the rim.
 pub(super) const INVERSE_ROOT: Chords<128> =
     Chords::new(Function::InverseRoot, 0, 0.5, HALF_16, [0.5 * HALF_16; 2]);
 /// log2(1 + x).
 pub(super) const LOG: Chords<64> = Chords::new(Function::Log, 0, 1.0, HALF_16, [HALF_16; 2]);
 /// 2^-x, plus [`HALF`].
-pub(super) const EXP: Chords<64> =
-    Chords::new(Function::Exp, 0, 1.0, HALF as f64, [HALF as f64; 2]);
+pub(super) const EXP: Chords<64> = Chords::new(Function::Exp, 0, 1.0, HALF_LSB, [HALF_LSB; 2]);
 /// sqrt(-log2(1 - y) / y) of y = x / 2, halved.
 pub(super) const POLE: Chords<64> = Chords::new(Function::Pole, 0, 0.5, HALF_16, [HALF_16; 2]);
 /// sqrt((1 - 4^-x) / (2 ln 2 x)).
