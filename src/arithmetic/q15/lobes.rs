@@ -97,15 +97,16 @@ const fn lifted(disc: Q15Disc, factor: u32, shift: u32, z: Q15) -> [Q15; 3] {
 
 /// The disc point times (1 / r) sin theta, for r^2 >= 1/2 and sin theta = sine 2^-14 2^-shift < 1; and z. The
 /// product is below 2^32: with 1 / r exact it is at most 2^16 sine, and the three units that sine is from
-/// 2^16, at least, are more than what rounding adds.
+/// 2^16, at least, are more than what rounding adds. At last `half` is added, in 2^-30: half an LSB, or nothing
+/// where the rim is near.
 #[inline(always)]
-const fn turned(disc: Q15Disc, sine: u32, shift: u32, z: Q15) -> [Q15; 3] {
+const fn turned(disc: Q15Disc, sine: u32, shift: u32, half: u32, z: Q15) -> [Q15; 3] {
     let inverse = INVERSE_ROOT.falling(disc.r2 << 1) >> 16;
     let factor = (inverse * sine + (1 << 14)) >> 15;
     let ([x, y], [sign_x, sign_y]) = (disc.magnitude, disc.sign);
     // In 2^-30.
     let (x, y) = (((x >> 15) * factor) >> shift, ((y >> 15) * factor) >> shift);
-    [signed((x + 0x4000) >> 15, sign_x), signed((y + 0x4000) >> 15, sign_y), z]
+    [signed((x + half) >> 15, sign_x), signed((y + half) >> 15, sign_y), z]
 }
 
 /// z = 1 - r^2, sin theta / r = sqrt(1 + (1 - r^2)).
@@ -165,12 +166,12 @@ pub(in crate::arithmetic) const fn power(exponent: Q15Exponent, disc: Q15Disc) -
         let root = ROOT.rising(part) >> 16;
         let sine = (((root * bend + (1 << 15)) >> 16) * spread + (1 << 15)) >> 16;
         let sine = if sine < 0xfffd { sine } else { 0xfffd };
-        return turned(disc, sine, exponent.spread_shift as u32 + 1 - scale, height(z));
+        return turned(disc, sine, exponent.spread_shift as u32 + 1 - scale, 0x4000, height(z));
     }
-    // z <= 1/2: nothing cancels.
+    // z <= 1/2: nothing cancels. Where e is small, sin theta is 1 but for the last digits over a wide rim.
     let z = (z - HALF) >> whole;
     let square = (z >> 16) * (z >> 16);
     let sine = (ROOT.rising(!square) - HALF) >> 16;
     let z = height(z + HALF);
-    turned(disc, sine, 2, if z.to_bits() == 0 { Q15::LSB } else { z })
+    turned(disc, sine, 2, 0, if z.to_bits() == 0 { Q15::LSB } else { z })
 }

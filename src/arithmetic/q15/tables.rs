@@ -158,9 +158,9 @@ const HALF_16: f64 = 32_768.0;
 /// stays inside at the rim.
 pub(super) const ROOT: Chords<128> =
     Chords::new(Function::Root, 32, 1.0, HALF_LSB, [-0.15 * HALF_LSB, HALF_LSB]);
-/// 1 / sqrt(1/2 + x / 2), halved; less at its ends, for the power lobe at the rim.
+/// 1 / sqrt(1/2 + x / 2), halved.
 pub(super) const INVERSE_ROOT: Chords<128> =
-    Chords::new(Function::InverseRoot, 0, 0.5, HALF_16, [0.5 * HALF_16; 2]);
+    Chords::new(Function::InverseRoot, 0, 0.5, HALF_16, [HALF_16; 2]);
 /// log2(1 + x).
 pub(super) const LOG: Chords<64> = Chords::new(Function::Log, 0, 1.0, HALF_16, [HALF_16; 2]);
 /// 2^-x, plus [`HALF`].

@@ -6,6 +6,8 @@
 //!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --all-features --test q15 -- --nocapture
 #![cfg(feature = "fixed-point")]
 
+mod rim;
+
 use hemidisc::arithmetic::{Arithmetic, FixedExponent, contract::contract};
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
 use hemidisc::{Map, Power, Q15, Q15Div};
