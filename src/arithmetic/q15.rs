@@ -192,7 +192,7 @@ impl From<Q31Disc> for Q15Disc {
         let r2 = (wide.r2 >> 32) as u32;
         Self {
             magnitude: [wide.x >> 1, wide.y >> 1],
-            sign: wide.signs.map(|sign| !sign),
+            sign: wide.signs,
             r2: r2.max(1),
         }
     }
@@ -206,7 +206,7 @@ impl From<Q15Disc> for Q31Disc {
         Self {
             x: wide(x),
             y: wide(y),
-            signs: disc.sign.map(|sign| !sign),
+            signs: disc.sign,
             r2,
             rim: r2.wrapping_neg(),
         }

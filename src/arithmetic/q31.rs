@@ -21,10 +21,10 @@ pub use disc::Q31Disc;
 pub use power::Q31Exponent;
 
 use super::fixed::root::root;
+use super::fixed::wide::high;
 use super::{Arithmetic, FixedExponent, Q31};
 use crate::error::Error;
-use crate::square::fold;
-use disc::{nearest, scaled, signed};
+use disc::{fold, nearest, signed};
 use inverse::{above, length_squared};
 
 impl Q31 {
@@ -90,7 +90,8 @@ impl Arithmetic for Q31 {
     fn uniform(disc: Q31Disc) -> [Self; 3] {
         // sqrt(1 + rim) / 2, so that a product with it is in LSBs.
         let half = root((1 << 62) + (disc.rim >> 2));
-        let scaled = |x: u32| scaled(x, half, 32);
+        // Toward zero, for no point may leave the hemisphere.
+        let scaled = |x: u32| high(x, half);
         let [sign_x, sign_y] = disc.signs;
         let (x, y) = (signed(scaled(disc.x), sign_x), signed(scaled(disc.y), sign_y));
         [x, y, nearest((disc.rim >> 32) as u32)]
@@ -139,7 +140,7 @@ impl Arithmetic for Q31 {
 
     #[inline]
     fn invert_centred(point: [Self; 2]) -> [u32; 2] {
-        point.map(|x| inverse::unfold(x.to_bits().unsigned_abs(), x.to_bits() >> 31))
+        point.map(|x| inverse::unfold(x.to_bits().unsigned_abs(), !x.to_bits() >> 31))
     }
 
     #[inline]
