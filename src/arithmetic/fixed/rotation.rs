@@ -28,8 +28,8 @@ const FOUR_OVER_PI: i128 = 0x517c_c1b7_2722_0a94;
 const PARTS: usize = 128;
 
 /// The tangent of pi/8 t_j and the sine of pi/4 t_j in units of 2^-32.
-static ROTATIONS: [[u32; 2]; PARTS + 1] = {
-    let mut table = [[0; 2]; PARTS + 1];
+const ROTATIONS: [[u32; PARTS + 1]; 2] = {
+    let mut table = [[0; PARTS + 1]; 2];
     let mut part = 0;
     while part <= PARTS {
         let angle = QUARTER_PI as i128 * part as i128 / PARTS as i128;
@@ -43,18 +43,22 @@ static ROTATIONS: [[u32; 2]; PARTS + 1] = {
         let [cos, sin] = sums;
         // sin / (1 + cos)
         let tan = (sin << 62) / ((1 << 62) + cos);
-        table[part] = [((tan + (1 << 29)) >> 30) as u32, ((sin + (1 << 29)) >> 30) as u32];
+        table[0][part] = ((tan + (1 << 29)) >> 30) as u32;
+        table[1][part] = ((sin + (1 << 29)) >> 30) as u32;
         part += 1;
     }
     table
 };
+/// Apart, for the index is then all of a load's address.
+static TANGENTS: [u32; PARTS + 1] = ROTATIONS[0];
+static SINES: [u32; PARTS + 1] = ROTATIONS[1];
 
 /// The same words, upper halves first, for a core that multiplies by halves.
 static ROTATIONS_BY_HALVES: [[[u16; 2]; 2]; PARTS + 1] = {
     let mut table = [[[0; 2]; 2]; PARTS + 1];
     let mut part = 0;
     while part <= PARTS {
-        let [tan, sin] = ROTATIONS[part];
+        let (tan, sin) = (TANGENTS[part], SINES[part]);
         table[part] = [[(tan >> 16) as u16, tan as u16], [(sin >> 16) as u16, sin as u16]];
         part += 1;
     }
@@ -89,6 +93,11 @@ const fn reciprocal(m: u32) -> Option<u32> {
 /// Turns (m, 0) to t_j + d / m, where `offset` is d in units of 2^-38; `reciprocal` is 2^46 / m.
 #[inline(always)]
 const fn turn(m: u32, reciprocal: u32, part: u32, offset: i32) -> (u32, u32) {
+    let part = part as usize;
+    if part > PARTS {
+        // Not with a true reciprocal.
+        return (0, 0);
+    }
     // Before its second term; below 2^24.
     let q = if HALVES {
         high_signed_by_halves(offset, [(ARC >> 16) as u16, ARC as u16])
@@ -103,11 +112,6 @@ const fn turn(m: u32, reciprocal: u32, part: u32, offset: i32) -> (u32, u32) {
     let third = sagitta.cast_signed() * delta;
     let q = q - ((third + (third >> 2)) >> 26);
     let p = 2 * m - sagitta - (m >> INWARD);
-    if part > PARTS as u32 {
-        // Not with a true reciprocal.
-        return (p, 0);
-    }
-    let part = part as usize;
     // Not below 0: an offset is not where t_j is 0, and elsewhere is above -m / 256.
     if HALVES {
         let [tan, sin] = ROTATIONS_BY_HALVES[part];
@@ -115,7 +119,7 @@ const fn turn(m: u32, reciprocal: u32, part: u32, offset: i32) -> (u32, u32) {
         let x = p.wrapping_sub(high_by_halves(across, sin));
         (x, high_by_halves(x, tan).wrapping_add(across))
     } else {
-        let [tan, sin] = ROTATIONS[part];
+        let (tan, sin) = (TANGENTS[part], SINES[part]);
         let across = high(p, tan).wrapping_add_signed(q);
         let x = p.wrapping_sub(high(across, sin));
         (x, high(x, tan).wrapping_add(across))
@@ -170,7 +174,8 @@ pub(in crate::arithmetic) const fn unit(t: u32) -> (u32, u32) {
 
 /// Cosine and sine of pi/4 t_j in units of 2^-32, j > 0.
 const fn direction(part: u32) -> [u32; 2] {
-    let [tan, sin] = ROTATIONS[(part & 127) as usize];
+    let part = (part & 127) as usize;
+    let (tan, sin) = (TANGENTS[part], SINES[part]);
     // cos = 1 - sin tan
     [(product(tan, sin).wrapping_neg() >> 32) as u32, sin]
 }
