@@ -65,22 +65,22 @@ static ROTATIONS_BY_HALVES: [[[u16; 2]; 2]; PARTS + 1] = {
     table
 };
 
-/// 2^42 / m for m in the middle of [k, k + 1) 2^23, k from 16 on: nearer the centre the words are too short.
-static RECIPROCALS: [u16; 240] = {
-    let mut table = [0; 240];
-    let mut k = 16;
+/// 2^42 / m for m in the middle of [k, k + 1) 2^23, k from 32 on: nearer the centre the words are too short.
+static RECIPROCALS: [u16; 224] = {
+    let mut table = [0; 224];
+    let mut k = 32;
     while k < 256 {
-        table[k - 16] = ((1 << 20) / (2 * k + 1)) as u16;
+        table[k - 32] = ((1 << 20) / (2 * k + 1)) as u16;
         k += 1;
     }
     table
 };
 
-/// 2^46 / m for m in [2^27, 2^31), too small by at most 1 part in 2^15 at 2^31 and in 2^9.9 at 2^27: a crude
+/// 2^46 / m for m in [2^28, 2^31), too small by at most 1 part in 2^14 at 2^31 and in 2^11.9 at 2^28: a crude
 /// value and a Newton step. None nearer the centre.
 #[inline(always)]
 const fn reciprocal(m: u32) -> Option<u32> {
-    let k = (m >> 23).wrapping_sub(16) as usize;
+    let k = (m >> 23).wrapping_sub(32) as usize;
     if k >= RECIPROCALS.len() {
         return None;
     }
@@ -136,12 +136,12 @@ const fn turned(m: u32, n: u32, reciprocal: u32) -> (u32, u32) {
     turn(m, reciprocal, part, offset.cast_signed())
 }
 
-/// One point in 256 is so near the centre that it is enlarged first.
+/// One point in 64 is so near the centre that it is enlarged first.
 #[cold]
 #[inline(never)]
 const fn enlarged(m: u32, n: u32) -> (u32, u32) {
     let (mut a, mut b, mut shift) = (2 * m + 1, 2 * n + 1, 0);
-    while a >> 28 == 0 {
+    while a >> 29 == 0 {
         a <<= 1;
         b <<= 1;
         shift += 1;
@@ -212,16 +212,36 @@ mod tests {
     /// not too large and not too small, and the product that chooses the part stays in its word.
     #[test]
     fn every_reciprocal_is_below_and_near() {
-        for upper in 1_u32 << 16..1 << 20 {
+        for upper in 1_u32 << 17..1 << 20 {
             let (least, largest) = (upper << 11, upper << 11 | 0x7ff);
             let found = reciprocal(least).unwrap();
             assert_eq!(reciprocal(largest), Some(found));
-            // Relative errors; times 2^-17.7 m they are those of a sagitta in LSBs.
-            let error =
-                |m: u32| (1.0 - f64::from(found) * f64::from(m) / 2_f64.powi(46)) * f64::from(m);
-            assert!(error(least) >= 0.0 && error(least) < 190_000.0, "{least:#x}: {found}");
-            assert!(error(largest) > -4096.0, "{largest:#x}: {found}");
+            // Relative errors: of 1/3900 the part chosen is 1/30 of its width from the nearest one.
+            let error = |m: u32| 1.0 - f64::from(found) * f64::from(m) / 2_f64.powi(46);
+            assert!(error(least) >= 0.0 && error(least) < 1.0 / 3900.0, "{least:#x}: {found}");
+            // Times 2^-17.7 m that of a sagitta in LSBs.
+            assert!(error(least) * f64::from(least) < 180_000.0, "{least:#x}: {found}");
+            assert!(error(largest) > -2_f64.powi(-17), "{largest:#x}: {found}");
             assert!(u64::from(largest >> 15) * u64::from(found) < 1 << 31, "{largest:#x}");
+        }
+    }
+
+    /// Between two parts, where the quotient decides, the turn is largest: with every reciprocal, its words
+    /// are wide enough (a test without its assertions of overflow asserts less).
+    #[test]
+    fn no_word_is_too_short() {
+        for k in 32_u32..256 {
+            for m in [k << 23, k << 23 | 0x7f_ffff, k << 23 | mix(k) >> 9] {
+                for i in 0..128 * 8 {
+                    let (part, near) = (i / 8, i % 8);
+                    let n = ((u64::from(m) * (256 * (2 * part + 1) + 5 * near - 5)) >> 16) as u32;
+                    let (x, y) = octant(m, n);
+                    let [a, b, x, y] = [m, n, x, y].map(f64::from);
+                    let angle = core::f64::consts::FRAC_PI_4 * (b / a);
+                    let error = (x / 2.0 - a * angle.cos()).hypot(y / 2.0 - a * angle.sin());
+                    assert!(error < 4.0, "{m:#x} {n:#x}: {error}");
+                }
+            }
         }
     }
 
