@@ -24,7 +24,8 @@ use super::fixed::root::root;
 use super::fixed::wide::high;
 use super::{Arithmetic, FixedExponent, Q31};
 use crate::error::Error;
-use disc::{fold, nearest, signed};
+use crate::square::fold;
+use disc::{nearest, signed};
 use inverse::{above, length_squared};
 
 impl Q31 {
@@ -67,7 +68,7 @@ impl Arithmetic for Q31 {
     fn centred(uv: [u32; 2]) -> [Self; 2] {
         uv.map(|k| {
             let (m, sign) = fold(k);
-            signed(m, sign)
+            Self::from_bits((m.cast_signed() ^ sign) - sign)
         })
     }
 

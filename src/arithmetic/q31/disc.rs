@@ -29,7 +29,7 @@ pub(super) const fn signed(magnitude: u32, sign: i32) -> Q31 {
 /// The magnitude m of a coordinate about the centre, 2u - 1 = +-(2m + 1) / 2^32, and its sign, -1 where it is
 /// positive.
 #[inline(always)]
-pub(super) const fn fold(k: u32) -> (u32, i32) {
+const fn fold(k: u32) -> (u32, i32) {
     let j = (k ^ 0x8000_0000).cast_signed();
     ((j ^ (j >> 31)).cast_unsigned(), k.cast_signed() >> 31)
 }
