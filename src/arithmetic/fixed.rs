@@ -12,7 +12,7 @@ pub(super) mod wide;
 use crate::error::Error;
 use core::fmt;
 use core::str::FromStr;
-use wide::HALVES;
+use wide::COUNTS_ZEROS;
 
 macro_rules! number {
     ($(#[$doc:meta])* $number:ident, $bits:ident, $one:literal) => {
@@ -112,22 +112,27 @@ impl Q31 {
     /// The nearest `f32` toward zero, so that a point of the disc stays on it; by integers alone.
     #[inline]
     pub const fn to_f32(self) -> f32 {
+        self.to_f32_by::<COUNTS_ZEROS>()
+    }
+
+    #[inline(always)]
+    const fn to_f32_by<const COUNTING: bool>(self) -> f32 {
         let mut magnitude = self.0.unsigned_abs();
         if magnitude == 0 {
             return 0.0;
         }
         // Sign and exponent, the latter less the mantissa's upper bit.
         let mut upper = (self.0.cast_unsigned() & 0x8000_0000) + (126 << 23);
-        if HALVES {
-            // Such a core counts no zeros, and most magnitudes have one or none.
+        if COUNTING {
+            let zeros = magnitude.leading_zeros();
+            magnitude <<= zeros;
+            upper -= zeros << 23;
+        } else {
+            // Most magnitudes have one or none.
             while magnitude >> 31 == 0 {
                 magnitude <<= 1;
                 upper -= 1 << 23;
             }
-        } else {
-            let zeros = magnitude.leading_zeros();
-            magnitude <<= zeros;
-            upper -= zeros << 23;
         }
         f32::from_bits(upper + (magnitude >> 8))
     }
@@ -221,6 +226,9 @@ mod tests {
         }
         for bits in bits.into_iter().flat_map(|bits| [bits, bits.saturating_neg()]) {
             let (exact, float) = (Q31::from_bits(bits).to_f64(), Q31::from_bits(bits).to_f32());
+            let [counted, shifted] =
+                [Q31::to_f32_by::<true>, Q31::to_f32_by::<false>].map(|f| f(Q31::from_bits(bits)));
+            assert_eq!([counted, shifted].map(f32::to_bits), [float.to_bits(); 2]);
             assert_eq!(float == 0.0, bits == 0);
             assert!(bits != 0 || float.is_sign_positive());
             assert!(f64::from(float.abs()) <= exact.abs() && f64::from(float) * exact >= 0.0);

@@ -1,6 +1,6 @@
 //! Square root: a table, two Newton steps for 1 / sqrt x (x y^2 = 1), one for the root, and the exact floor.
 
-use super::wide::{HALVES, high, product};
+use super::wide::{COUNTS_ZEROS, HALVES, high, product};
 
 /// 1 / sqrt x in units of 2^-15 for x in the middle of [k, k + 1) / 128, k from 32 on.
 static SEEDS: [u16; 128] = {
@@ -30,7 +30,7 @@ const fn root_by<const BY_HALVES: bool>(n: u64) -> u32 {
     if n == 0 {
         return 0;
     }
-    let (normal, shift) = normalised::<BY_HALVES>(n);
+    let (normal, shift) = if COUNTS_ZEROS && !BY_HALVES { counted(n) } else { shifted(n) };
     // In [2^30, 2^32).
     let x = (normal >> 32) as u32;
     let seed = SEEDS[(x >> 25) as usize] as u32;
@@ -69,19 +69,20 @@ const fn near_high<const BY_HALVES: bool>(a: u32, b: u32) -> u32 {
 
 /// n 2^shift in [2^62, 2^64) by an even shift; n > 0.
 #[inline(always)]
-const fn normalised<const BY_HALVES: bool>(n: u64) -> (u64, u32) {
-    if BY_HALVES {
-        // Such a core counts no zeros, and most of a disc has none.
-        let (mut normal, mut shift) = (n, 0);
-        while normal >> 62 == 0 {
-            normal <<= 2;
-            shift += 2;
-        }
-        (normal, shift)
-    } else {
-        let shift = n.leading_zeros() & !1;
-        (n << shift, shift)
+const fn counted(n: u64) -> (u64, u32) {
+    let shift = n.leading_zeros() & !1;
+    (n << shift, shift)
+}
+
+/// The same where zeros are not counted in one instruction: most of a disc has none.
+#[inline(always)]
+const fn shifted(n: u64) -> (u64, u32) {
+    let (mut normal, mut shift) = (n, 0);
+    while normal >> 62 == 0 {
+        normal <<= 2;
+        shift += 2;
     }
+    (normal, shift)
 }
 
 #[cfg(test)]
