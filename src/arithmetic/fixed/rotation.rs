@@ -1,9 +1,10 @@
 //! A vector of the first octant turned to its angle, by a table and a small rotation.
 //!
-//! With a vector (m, n), 0 <= n <= m, t = n/m is near a t_j = j / 128, and the concentric map's angle is pi/4 t = pi/4 t_j + delta, where
-//! delta = pi/4 (n - m t_j) / m. The difference is formed without a division and almost without rounding, so
-//! q = m sin delta = pi/4 (n - m t_j) (1 - delta^2 / 6) and p = m cos delta = m - m delta^2 / 2 are as exact
-//! as the words allow; only the small second terms need the quotient, to 15 bits.
+//! With a vector (m, n), 0 <= n <= m, t = n/m is near a t_j = j / 128, and the concentric map's angle is
+//! pi/4 t = pi/4 t_j + delta, where delta = pi/4 (n - m t_j) / m. The difference is formed without a division
+//! and without rounding, so q = m sin delta = pi/4 (n - m t_j) (1 - delta^2 / 6) and p = m cos delta =
+//! m - m delta^2 / 2 are as exact as the words allow; only the small second terms need the quotient, to 16
+//! bits. That a coordinate is m + 1/2 costs half an LSB, inward, and spares a bit.
 //!
 //! The vector (p, q) is turned to t_j in three shears, y' = q + p T, x = p - y' S, y = y' + x T, with S the
 //! sine and T the tangent of half the angle: three products instead of four.
@@ -18,10 +19,7 @@ const INWARD: u32 = 29;
 /// pi/4 in units of 2^-62: floor.
 const QUARTER_PI: u64 = 0x3243_f6a8_885a_308d;
 /// pi/4 in units of 2^-26, less delta^2 / 96 of it at the edge of a part: what the cubic term leaves there.
-const ARC: u32 = {
-    let arc = (QUARTER_PI >> 36) as u32;
-    arc - 5
-};
+const ARC: u32 = (QUARTER_PI >> 36) as u32 - 5;
 /// 4/pi in units of 2^-62.
 const FOUR_OVER_PI: i128 = 0x517c_c1b7_2722_0a94;
 /// Parts of an octant; the table has both ends.
