@@ -12,6 +12,7 @@ pub(super) mod wide;
 use crate::error::Error;
 use core::fmt;
 use core::str::FromStr;
+use wide::COUNTS_ZEROS;
 
 macro_rules! number {
     ($(#[$doc:meta])* $number:ident, $bits:ident, $one:literal) => {
@@ -108,15 +109,32 @@ impl From<Q15> for f32 {
 }
 
 impl Q31 {
-    /// The nearest `f32` toward zero, so that a point of the disc stays on it.
+    /// The nearest `f32` toward zero, so that a point of the disc stays on it; by integers alone.
     #[inline]
     pub const fn to_f32(self) -> f32 {
-        let magnitude = self.0.unsigned_abs();
-        // The bits below the top 24.
-        let below = 8_u32.saturating_sub(magnitude.leading_zeros());
-        let kept = magnitude >> below << below;
-        let value = kept as f32 * (1.0 / 2_147_483_648.0);
-        if self.0 < 0 { -value } else { value }
+        self.to_f32_by::<COUNTS_ZEROS>()
+    }
+
+    #[inline(always)]
+    const fn to_f32_by<const COUNTING: bool>(self) -> f32 {
+        let mut magnitude = self.0.unsigned_abs();
+        if magnitude == 0 {
+            return 0.0;
+        }
+        // Sign and exponent, the latter less the mantissa's upper bit.
+        let mut upper = (self.0.cast_unsigned() & 0x8000_0000) + (126 << 23);
+        if COUNTING {
+            let zeros = magnitude.leading_zeros();
+            magnitude <<= zeros;
+            upper -= zeros << 23;
+        } else {
+            // Most magnitudes have one or none.
+            while magnitude >> 31 == 0 {
+                magnitude <<= 1;
+                upper -= 1 << 23;
+            }
+        }
+        f32::from_bits(upper + (magnitude >> 8))
     }
 }
 
@@ -180,6 +198,7 @@ impl FromStr for FixedExponent {
 mod tests {
     use super::*;
     use std::string::ToString;
+    use std::vec;
 
     #[test]
     fn decimals_are_exact() {
@@ -196,5 +215,24 @@ mod tests {
         assert_eq!(Q15::LSB.to_string(), "0.000030517578125");
         assert_eq!(Q15::MAX.to_string(), "0.999969482421875");
         assert_eq!(std::format!("{:7} {:.2}", Q15::from_bits(1 << 14), Q15::MAX), "    0.5 1.00");
+    }
+
+    #[test]
+    fn floats_are_the_nearest_toward_0() {
+        let mut bits = vec![0, 1, i32::MAX, i32::MIN];
+        for bit in 0..31 {
+            bits.extend((-2..=2).map(|d| (1_i32 << bit).saturating_add(d)));
+            bits.extend([i32::MAX >> bit, 0x5a82_7999 >> bit, (0x00ff_ffff << 7) >> bit]);
+        }
+        for bits in bits.into_iter().flat_map(|bits| [bits, bits.saturating_neg()]) {
+            let (exact, float) = (Q31::from_bits(bits).to_f64(), Q31::from_bits(bits).to_f32());
+            let [counted, shifted] =
+                [Q31::to_f32_by::<true>, Q31::to_f32_by::<false>].map(|f| f(Q31::from_bits(bits)));
+            assert_eq!([counted, shifted].map(f32::to_bits), [float.to_bits(); 2]);
+            assert_eq!(float == 0.0, bits == 0);
+            assert!(bits != 0 || float.is_sign_positive());
+            assert!(f64::from(float.abs()) <= exact.abs() && f64::from(float) * exact >= 0.0);
+            assert!(f64::from(float.abs().next_up()) > exact.abs(), "{bits:#x}: {float:e}");
+        }
     }
 }

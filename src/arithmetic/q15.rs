@@ -190,11 +190,7 @@ impl From<Q31Disc> for Q15Disc {
     /// For the inverses: the direction, and r^2, which is not 0.
     fn from(wide: Q31Disc) -> Self {
         let r2 = (wide.r2 >> 32) as u32;
-        Self {
-            magnitude: [wide.x >> 1, wide.y >> 1],
-            sign: wide.signs.map(|sign| !sign),
-            r2: r2.max(1),
-        }
+        Self { magnitude: [wide.x >> 1, wide.y >> 1], sign: wide.signs, r2: r2.max(1) }
     }
 }
 
@@ -203,12 +199,6 @@ impl From<Q15Disc> for Q31Disc {
         let ([x, y], r2) = (disc.magnitude, u64::from(disc.r2) << 32);
         // At most 2^31 each.
         let wide = |magnitude: u32| magnitude.saturating_mul(2);
-        Self {
-            x: wide(x),
-            y: wide(y),
-            signs: disc.sign.map(|sign| !sign),
-            r2,
-            rim: r2.wrapping_neg(),
-        }
+        Self { x: wide(x), y: wide(y), signs: disc.sign, r2, rim: r2.wrapping_neg() }
     }
 }

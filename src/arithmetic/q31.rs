@@ -1,11 +1,11 @@
 //! Q31: the kernels of every map in integers, from the coordinate to the result.
 //!
 //! **Lengths** on the way are magnitudes in units of 2^-32, half an LSB, and signs beside them; r^2 and
-//! 1 - r^2 are exact in units of 2^-64. A magnitude is rounded once, to the nearest LSB, and its sign put
-//! back, so mirror images are equal bit for bit.
+//! 1 - r^2 are exact in units of 2^-64. A magnitude is cut to LSBs once, toward zero, and its sign put back,
+//! so mirror images are equal bit for bit.
 //!
-//! **Inward.** The table of the rotation is short by more than the roundings can add, so every point is on
-//! the disc without a test; that costs about an LSB of radius.
+//! **Inward.** The rotation shortens by more than its roundings can add, so every point is on the disc
+//! without a test; that costs about an LSB of radius.
 //!
 //! **Lobes** scale x and y by s/r: sqrt(1 + (1 - r^2)) for the uniform lobe, 1 for the cosine. For the power
 //! lobe, with L = -ln(1 - r^2) and l = L / (e + 1), z = exp(-l), s^2 = 1 - exp(-2 l) formed without
@@ -21,10 +21,11 @@ pub use disc::Q31Disc;
 pub use power::Q31Exponent;
 
 use super::fixed::root::root;
+use super::fixed::wide::high;
 use super::{Arithmetic, FixedExponent, Q31};
 use crate::error::Error;
 use crate::square::fold;
-use disc::{nearest, scaled, signed};
+use disc::{nearest, signed};
 use inverse::{above, length_squared};
 
 impl Q31 {
@@ -67,7 +68,7 @@ impl Arithmetic for Q31 {
     fn centred(uv: [u32; 2]) -> [Self; 2] {
         uv.map(|k| {
             let (m, sign) = fold(k);
-            signed(m, sign)
+            Self::from_bits((m.cast_signed() ^ sign) - sign)
         })
     }
 
@@ -90,7 +91,8 @@ impl Arithmetic for Q31 {
     fn uniform(disc: Q31Disc) -> [Self; 3] {
         // sqrt(1 + rim) / 2, so that a product with it is in LSBs.
         let half = root((1 << 62) + (disc.rim >> 2));
-        let scaled = |x: u32| scaled(x, half, 32);
+        // Toward zero, for no point may leave the hemisphere.
+        let scaled = |x: u32| high(x, half);
         let [sign_x, sign_y] = disc.signs;
         let (x, y) = (signed(scaled(disc.x), sign_x), signed(scaled(disc.y), sign_y));
         [x, y, nearest((disc.rim >> 32) as u32)]
@@ -139,7 +141,7 @@ impl Arithmetic for Q31 {
 
     #[inline]
     fn invert_centred(point: [Self; 2]) -> [u32; 2] {
-        point.map(|x| inverse::unfold(x.to_bits().unsigned_abs(), x.to_bits() >> 31))
+        point.map(|x| inverse::unfold(x.to_bits().unsigned_abs(), !x.to_bits() >> 31))
     }
 
     #[inline]

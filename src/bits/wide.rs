@@ -7,10 +7,26 @@
 /// Whether the core multiplies 32 x 32 bits to 32 alone; such a core does not divide either.
 pub(crate) const HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
+/// Whether the core counts leading zeros in one instruction.
+pub(crate) const COUNTS_ZEROS: bool =
+    !HALVES && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
+
 /// a b.
 #[inline(always)]
 pub(crate) const fn product(a: u32, b: u32) -> u64 {
-    a as u64 * b as u64
+    if HALVES { product_by_halves(a, b) } else { a as u64 * b as u64 }
+}
+
+#[inline(always)]
+const fn product_by_halves(a: u32, b: u32) -> u64 {
+    let (a1, a0) = (a >> 16, a & 0xffff);
+    let (b1, b0) = (b >> 16, b & 0xffff);
+    let least = a0 * b0;
+    // Each sum is at most (2^16 - 1)^2 + 2^16 - 1 < 2^32.
+    let middle = a1 * b0 + (least >> 16);
+    let other = a0 * b1 + (middle & 0xffff);
+    let upper = a1 * b1 + (middle >> 16) + (other >> 16);
+    (upper as u64) << 32 | (other << 16 | least & 0xffff) as u64
 }
 
 /// floor(a b / 2^32).
@@ -47,6 +63,7 @@ mod tests {
         for (a, b) in pairs.chain(hashed) {
             let exact = u64::from(a) * u64::from(b);
             assert_eq!(product(a, b), exact);
+            assert_eq!(product_by_halves(a, b), exact);
             assert_eq!(u64::from(high(a, b)), exact >> 32, "{a:#x} {b:#x}");
             let by_halves = high_by_halves(a, [(b >> 16) as u16, b as u16]);
             assert_eq!(u64::from(by_halves), exact >> 32, "{a:#x} {b:#x}");

@@ -6,8 +6,8 @@ use hemidisc::arithmetic::{Arithmetic, FixedExponent};
 use hemidisc::disc::Rejection;
 use hemidisc::sequence::{Sobol, SobolOwen, Stored};
 use hemidisc::{
-    Concentric, Cosine, FastF32, LibmF32, LibmF64, MicromathF32, Points, Polar, Power, Q15, Q15Div,
-    Q31, Uniform, UnitSquare,
+    Concentric, Cosine, FastF32, LibmF32, LibmF64, Map, MicromathF32, Points, Polar, Power, Q15,
+    Q15Div, Q31, Uniform, UnitSquare,
 };
 
 type Slot<A> = <A as Arithmetic>::Real;
@@ -110,6 +110,25 @@ pub(crate) fn every(visitor: &mut impl Visitor) {
         "libm-f32" LibmF32 50.0;
         "libm-f64" LibmF64 50.0;
     }
+    converted(visitor);
+}
+
+/// Floats by integers: Q31's points, each component toward zero.
+fn converted(visitor: &mut impl Visitor) {
+    #[unsafe(export_name = "map/disc/concentric/q31-to-f32")]
+    #[inline(never)]
+    fn fill(map: &Concentric<Q31>, coordinates: &[[u32; 2]], points: &mut [[f32; 2]]) -> usize {
+        let mut filled = 0;
+        for (uv, point) in coordinates.iter().zip(points) {
+            *point = map.sample(*uv).map(Q31::to_f32);
+            filled += 1;
+        }
+        filled
+    }
+    let map = black_box(Concentric::new());
+    visitor.points("map/disc/concentric/q31-to-f32", |coordinates, points: &mut [[f32; 2]]| {
+        fill(&map, coordinates, points)
+    });
 }
 
 macro_rules! fused {

@@ -1,6 +1,6 @@
 //! Square root: a table, two Newton steps for 1 / sqrt x (x y^2 = 1), one for the root, and the exact floor.
 
-use super::wide::{high, product};
+use super::wide::{COUNTS_ZEROS, HALVES, high, product};
 
 /// 1 / sqrt x in units of 2^-15 for x in the middle of [k, k + 1) / 128, k from 32 on.
 static SEEDS: [u16; 128] = {
@@ -21,24 +21,30 @@ static SEEDS: [u16; 128] = {
 /// floor(sqrt n): in units of 2^-32 for n in units of 2^-64.
 #[inline]
 pub(in crate::arithmetic) const fn root(n: u64) -> u32 {
+    root_by::<HALVES>(n)
+}
+
+/// Whatever the products on the way, the end is the floor.
+#[inline(always)]
+const fn root_by<const BY_HALVES: bool>(n: u64) -> u32 {
     if n == 0 {
         return 0;
     }
-    let shift = n.leading_zeros() & !1;
-    let normal = n << shift;
+    let (normal, shift) = if COUNTS_ZEROS && !BY_HALVES { counted(n) } else { shifted(n) };
     // In [2^30, 2^32).
     let x = (normal >> 32) as u32;
     let seed = SEEDS[(x >> 25) as usize] as u32;
     let three = 3 << 30;
     // y in units of 2^-30, then 2^-29.
-    let y = seed * ((three - high(x, seed * seed)) >> 16);
-    let square = high(y << 1, y << 1);
-    let y = high(y, three - high(x, square));
+    let y = seed * ((three - near_high::<BY_HALVES>(x, seed * seed)) >> 16);
+    let square = near_high::<BY_HALVES>(y << 1, y << 1);
+    let y = near_high::<BY_HALVES>(y, three - near_high::<BY_HALVES>(x, square));
     // Good to 24 bits; the residual of the square gives the rest.
-    let g = high(x, y) << 3;
+    let g = near_high::<BY_HALVES>(x, y) << 3;
     let residual = normal.wrapping_sub(product(g, g)).cast_signed();
-    let step = ((residual >> 16) * (y >> 14) as i64) >> 32;
-    let g = g as i64 + step;
+    // Below 2^15 either.
+    let step = ((residual >> 26) as i32 * (y >> 15).cast_signed()) >> 21;
+    let g = g as i64 + step as i64;
     let mut g = if g > 0xffff_ffff { u32::MAX } else { g as u32 };
     // Within one of the floor.
     if product(g, g) > normal {
@@ -49,9 +55,46 @@ pub(in crate::arithmetic) const fn root(n: u64) -> u32 {
     g >> (shift / 2)
 }
 
+/// a b / 2^32, by halves too low by at most 2: the compiler joins halves of two words, of which all four
+/// products are formed, to a product of 64 bits.
+#[inline(always)]
+const fn near_high<const BY_HALVES: bool>(a: u32, b: u32) -> u32 {
+    if BY_HALVES {
+        let ((a1, a0), (b1, b0)) = ((a >> 16, a & 0xffff), (b >> 16, b & 0xffff));
+        a1 * b1 + ((a1 * b0) >> 16) + ((a0 * b1) >> 16)
+    } else {
+        high(a, b)
+    }
+}
+
+/// n 2^shift in [2^62, 2^64) by an even shift; n > 0.
+#[inline(always)]
+const fn counted(n: u64) -> (u64, u32) {
+    let shift = n.leading_zeros() & !1;
+    (n << shift, shift)
+}
+
+/// The same where zeros are not counted in one instruction: most of a disc has none.
+#[inline(always)]
+const fn shifted(n: u64) -> (u64, u32) {
+    let (mut normal, mut shift) = (n, 0);
+    while normal >> 62 == 0 {
+        normal <<= 2;
+        shift += 2;
+    }
+    (normal, shift)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::root;
+    use super::root_by;
+
+    /// By either kind of product.
+    fn root(n: u64) -> u32 {
+        let root = root_by::<false>(n);
+        assert_eq!(root, root_by::<true>(n), "{n:#x}");
+        root
+    }
 
     #[test]
     fn it_is_the_floor() {

@@ -1,33 +1,36 @@
 //! A vector of the first octant turned to its angle, by a table and a small rotation.
 //!
-//! The octant is cut into 128 parts. With a vector (a, b), 0 <= b <= a, in the j-th part, t = b/a is near
-//! t_j = (j + 1/2) / 128, and the concentric map's angle is pi/4 t = pi/4 t_j + delta, where
-//! delta = pi/4 (b - a t_j) / a. The difference is formed without a division and almost without rounding, so
-//! q = a sin delta = pi/4 (b - a t_j) (1 - delta^2 / 6) and p = a cos delta = a - q delta / 2 are as exact as
-//! the words allow; only the small second terms need the quotient, to 16 bits.
+//! With a vector (m, n), 0 <= n <= m, t = n/m is near a t_j = j / 128, and the concentric map's angle is
+//! pi/4 t = pi/4 t_j + delta, where delta = pi/4 (n - m t_j) / m. The difference is formed without a division
+//! and without rounding, so q = m sin delta = pi/4 (n - m t_j) (1 - delta^2 / 6) and p = m cos delta =
+//! m - m delta^2 / 2 are as exact as the words allow; only the small second terms need the quotient, to 16
+//! bits. That a coordinate is m + 1/2 costs half an LSB, inward, and spares a bit.
 //!
-//! Lengths are in units of 2^-32. The sines and cosines of the table are too small by [`INWARD`], more than
-//! all roundings together can add to a length.
+//! The vector (p, q) is turned to t_j in three shears, y' = q + p T, x = p - y' S, y = y' + x T, with S the
+//! sine and T the tangent of half the angle: three products instead of four.
+//!
+//! Coordinates m and n are in LSBs of Q31, units of 2^-31; the lengths from them in half that. A vector is
+//! shortened by m >> [`INWARD`]: at the rim, by more than all roundings together can add to its length.
 
 use super::wide::{HALVES, high, high_by_halves, high_signed, high_signed_by_halves, product};
 
-/// What the table is shorter than 1 by, in units of 2^-40: 2.8 units of length.
-///
-/// Outward, the cuts of x and y and their last rounding add at most 3 / sqrt 2 = 2.1 units of length, the
-/// cuts in the sagitta 0.9, the table's own rounding 0.7; the outermost ring is 1 unit from the rim.
-const INWARD: u64 = 720;
+/// At the rim 3 units of 2^-32; nearer the centre there is room.
+const INWARD: u32 = 29;
 /// pi/4 in units of 2^-62: floor.
 const QUARTER_PI: u64 = 0x3243_f6a8_885a_308d;
+/// pi/4 in units of 2^-26, less delta^2 / 96 of it at the edge of a part: what the cubic term leaves there.
+const ARC: u32 = (QUARTER_PI >> 36) as u32 - 5;
 /// 4/pi in units of 2^-62.
 const FOUR_OVER_PI: i128 = 0x517c_c1b7_2722_0a94;
+/// Parts of an octant; the table has both ends.
 const PARTS: usize = 128;
 
-/// Cosine and sine of pi/4 t_j.
-static ROTATIONS: [[u32; 2]; PARTS] = {
-    let mut table = [[0; 2]; PARTS];
+/// The tangent of pi/8 t_j and the sine of pi/4 t_j in units of 2^-32.
+const ROTATIONS: [[u32; PARTS + 1]; 2] = {
+    let mut table = [[0; PARTS + 1]; 2];
     let mut part = 0;
-    while part < PARTS {
-        let angle = QUARTER_PI as i128 * (2 * part as i128 + 1) / (2 * PARTS as i128);
+    while part <= PARTS {
+        let angle = QUARTER_PI as i128 * part as i128 / PARTS as i128;
         let (mut power, mut order) = (1_i128 << 62, 0);
         let mut sums = [0_i128; 2];
         while power > 0 {
@@ -35,111 +38,144 @@ static ROTATIONS: [[u32; 2]; PARTS] = {
             order += 1;
             power = power * angle / ((order as i128) << 62);
         }
-        let mut axis = 0;
-        while axis < 2 {
-            let short = sums[axis] - ((sums[axis] * INWARD as i128) >> 40);
-            table[part][axis] = ((short + (1 << 29)) >> 30) as u32;
-            axis += 1;
-        }
+        let [cos, sin] = sums;
+        // sin / (1 + cos)
+        let tan = (sin << 62) / ((1 << 62) + cos);
+        table[0][part] = ((tan + (1 << 29)) >> 30) as u32;
+        table[1][part] = ((sin + (1 << 29)) >> 30) as u32;
         part += 1;
     }
     table
 };
+/// Apart, for the index is then all of a load's address.
+static TANGENTS: [u32; PARTS + 1] = ROTATIONS[0];
+static SINES: [u32; PARTS + 1] = ROTATIONS[1];
 
 /// The same words, upper halves first, for a core that multiplies by halves.
-static ROTATIONS_BY_HALVES: [[[u16; 2]; 2]; PARTS] = {
-    let mut table = [[[0; 2]; 2]; PARTS];
+static ROTATIONS_BY_HALVES: [[[u16; 2]; 2]; PARTS + 1] = {
+    let mut table = [[[0; 2]; 2]; PARTS + 1];
     let mut part = 0;
-    while part < PARTS {
-        let [cos, sin] = ROTATIONS[part];
-        table[part] = [[(cos >> 16) as u16, cos as u16], [(sin >> 16) as u16, sin as u16]];
+    while part <= PARTS {
+        let (tan, sin) = (TANGENTS[part], SINES[part]);
+        table[part] = [[(tan >> 16) as u16, tan as u16], [(sin >> 16) as u16, sin as u16]];
         part += 1;
     }
     table
 };
 
-/// 2^42 / a for a in the middle of [k, k + 1) 2^24, k from 128 on.
-static RECIPROCALS: [u16; 128] = {
-    let mut table = [0; 128];
-    let mut k = 0;
-    while k < 128 {
-        // 2^42 / (2^24 (128 + k + 1/2)), rounded.
-        table[k] = ((1 << 20) / (2 * (128 + k) + 1)).div_ceil(2) as u16;
+/// 2^42 / m for m in the middle of [k, k + 1) 2^23, k from 32 on: nearer the centre the words are too short.
+static RECIPROCALS: [u16; 224] = {
+    let mut table = [0; 224];
+    let mut k = 32;
+    while k < 256 {
+        table[k - 32] = ((1 << 20) / (2 * k + 1)) as u16;
         k += 1;
     }
     table
 };
 
-/// 2^48 / a for a of 32 significant bits, too small by at most 1 part in 2^15.4: a crude value and a
-/// Newton step.
+/// 2^46 / m for m in [2^28, 2^31), too small by at most 1 part in 2^14 at 2^31 and in 2^11.9 at 2^28: a crude
+/// value and a Newton step. None nearer the centre.
 #[inline(always)]
-const fn reciprocal(a: u32) -> u32 {
-    let crude = RECIPROCALS[(a >> 24 & 127) as usize] as u32;
-    // 2^31 (1 - a crude / 2^42), and less by what the cut of `a` may hide.
-    let error = (1_u32 << 31).wrapping_sub(crude).wrapping_sub((a >> 11) * crude).cast_signed();
-    let step = crude.cast_signed() * (error >> 4);
-    ((crude << 6).cast_signed() + (step >> 21)).cast_unsigned()
+const fn reciprocal(m: u32) -> Option<u32> {
+    let k = (m >> 23).wrapping_sub(32) as usize;
+    if k >= RECIPROCALS.len() {
+        return None;
+    }
+    let crude = RECIPROCALS[k] as u32;
+    // 2^31 (2 - m crude / 2^42)
+    let two_less = ((m >> 11) * crude).wrapping_neg();
+    Some((crude * (two_less >> 15)) >> 12)
 }
 
-/// Turns (a, 0), a of 32 significant bits, to t_j + d / a, where `offset` is d in units of 2^-38;
-/// `reciprocal` is 2^48 / a.
+/// Turns (m, 0) to t_j + d / m, where `offset` is d in units of 2^-38; `reciprocal` is 2^46 / m.
 #[inline(always)]
-const fn turn(a: u32, reciprocal: u32, part: u32, offset: i32) -> (u32, u32) {
-    let sign = offset >> 31;
-    // |q| before its second term, in units of 2^-39; below 2^30.7.
-    let arc = high(offset.unsigned_abs() << 1, (QUARTER_PI >> 30) as u32);
-    // Of 16 bits: q in units of 2^-24, and delta.
-    let short = (arc + (1 << 14)) >> 15;
-    let delta = (short * reciprocal) >> 16;
-    // q delta / 2, and from it q delta^2 / 6 in units of 2^-39.
-    let sagitta = (short * delta + (1 << 16)) >> 17;
-    let third = (((sagitta * delta) >> 17) * 171) >> 9;
-    let p = a - sagitta;
-    // Toward 0: near the axis it is negative, and a larger one would leave y below 0.
-    let q = (((arc - third) >> 7).cast_signed() ^ sign) - sign;
-    let part = (part & 127) as usize;
-    if HALVES {
-        let [cos, sin] = ROTATIONS_BY_HALVES[part];
-        let (along, across) = (high_by_halves(p, cos), high_by_halves(p, sin));
-        (
-            along.wrapping_add_signed(high_signed_by_halves(-q, sin)),
-            across.wrapping_add_signed(high_signed_by_halves(q, cos) + 1),
-        )
+const fn turn(m: u32, reciprocal: u32, part: u32, offset: i32) -> (u32, u32) {
+    let part = part as usize;
+    if part > PARTS {
+        // Not with a true reciprocal.
+        return (0, 0);
+    }
+    // Before its second term; below 2^24.
+    let q = if HALVES {
+        high_signed_by_halves(offset, [(ARC >> 16) as u16, ARC as u16])
     } else {
-        let [cos, sin] = ROTATIONS[part];
-        (
-            high(p, cos).wrapping_add_signed(high_signed(-q, sin)),
-            high(p, sin).wrapping_add_signed(high_signed(q, cos) + 1),
-        )
+        high_signed(offset, ARC)
+    };
+    // Of 16 bits: q and delta in units of 2^-24.
+    let short = q >> 8;
+    let delta = (short * reciprocal.cast_signed()) >> 15;
+    // m delta^2 / 2, and from it m delta^3 / 6: 5/16 is as good as 1/3.
+    let sagitta = short.wrapping_mul(delta).cast_unsigned() >> 17;
+    let third = sagitta.cast_signed() * delta;
+    let q = q - ((third + (third >> 2)) >> 26);
+    let p = 2 * m - sagitta - (m >> INWARD);
+    // Not below 0: an offset is not where t_j is 0, and elsewhere is above -m / 256.
+    if HALVES {
+        let [tan, sin] = ROTATIONS_BY_HALVES[part];
+        let across = high_by_halves(p, tan).wrapping_add_signed(q);
+        let x = p.wrapping_sub(high_by_halves(across, sin));
+        (x, high_by_halves(x, tan).wrapping_add(across))
+    } else {
+        let (tan, sin) = (TANGENTS[part], SINES[part]);
+        let across = high(p, tan).wrapping_add_signed(q);
+        let x = p.wrapping_sub(high(across, sin));
+        (x, high(x, tan).wrapping_add(across))
     }
 }
 
-/// a cos(pi/4 b/a) and a sin(pi/4 b/a) of odd a >= b, in the units of `a`.
+/// m cos(pi/4 n/m) and m sin(pi/4 n/m), 0 <= n <= m; `reciprocal` is 2^46 / m.
 #[inline(always)]
-pub(in crate::arithmetic) const fn octant(mut a: u32, mut b: u32) -> (u32, u32) {
-    let mut shift = 0;
-    while a < 1 << 31 {
+const fn turned(m: u32, n: u32, reciprocal: u32) -> (u32, u32) {
+    // The nearest, or in doubt the lower one.
+    let part = ((n >> 15) * reciprocal + 0x7f_0000) >> 24;
+    // n - m t_j in units of 2^-38, modulo 2^32.
+    let offset = (n << 7).wrapping_sub(m.wrapping_mul(part));
+    turn(m, reciprocal, part, offset.cast_signed())
+}
+
+/// One point in 64 is so near the centre that it is enlarged first.
+#[cold]
+#[inline(never)]
+const fn enlarged(m: u32, n: u32) -> (u32, u32) {
+    let (mut a, mut b, mut shift) = (2 * m + 1, 2 * n + 1, 0);
+    while a >> 29 == 0 {
         a <<= 1;
         b <<= 1;
         shift += 1;
     }
-    let reciprocal = reciprocal(a);
-    let part = ((b >> 16) * reciprocal) >> 25;
-    // b - a t_j in units of 2^-38, modulo 2^32: the halves of an odd `a` and of t_j are the last two terms.
-    let offset = (b << 6)
-        .wrapping_sub((a >> 1).wrapping_mul(part))
-        .wrapping_sub(a >> 2)
-        .wrapping_sub(part >> 1);
-    let (x, y) = turn(a, reciprocal, part, offset.cast_signed());
-    (x >> shift, y >> shift)
+    match reciprocal(a >> 1) {
+        Some(reciprocal) => {
+            let (x, y) = turned(a >> 1, b >> 1, reciprocal);
+            (x >> shift, y >> shift)
+        }
+        None => (0, 0),
+    }
+}
+
+/// a cos(pi/4 b/a) and a sin(pi/4 b/a) in units of 2^-32 of a = m + 1/2 and b = n + 1/2, 0 <= n <= m < 2^31.
+#[inline(always)]
+pub(in crate::arithmetic) const fn octant(m: u32, n: u32) -> (u32, u32) {
+    match reciprocal(m) {
+        Some(reciprocal) => turned(m, n, reciprocal),
+        None => enlarged(m, n),
+    }
 }
 
 /// Cosine and sine of pi/4 t for an odd count t of 2^-30.
 #[inline(always)]
 pub(in crate::arithmetic) const fn unit(t: u32) -> (u32, u32) {
-    let part = t >> 23 & 127;
-    let offset = (t & 0x7f_ffff).cast_signed() - (1 << 22);
-    turn(u32::MAX, 1 << 16, part, offset << 8)
+    let part = (t + (1 << 22)) >> 23;
+    let offset = t.wrapping_sub(part << 23).cast_signed();
+    turn(0x7fff_ffff, 1 << 15, part, offset << 8)
+}
+
+/// Cosine and sine of pi/4 t_j in units of 2^-32, j > 0.
+const fn direction(part: u32) -> [u32; 2] {
+    let part = (part & 127) as usize;
+    let (tan, sin) = (TANGENTS[part], SINES[part]);
+    // cos = 1 - sin tan
+    [(product(tan, sin).wrapping_neg() >> 32) as u32, sin]
 }
 
 /// The fraction t of an octant, in units of 2^-62, of the direction (a, b), 0 <= b <= a, a > 0: the inverse
@@ -147,37 +183,62 @@ pub(in crate::arithmetic) const fn unit(t: u32) -> (u32, u32) {
 pub(in crate::arithmetic) fn fraction(a: u32, b: u32) -> u64 {
     // The last part whose t_j is not above the direction's.
     let mut part = 0;
-    let mut step = PARTS / 2;
+    let mut step = PARTS as u32 / 2;
     while step > 0 {
-        let [cos, sin] = ROTATIONS[(part + step) & 127];
+        let [cos, sin] = direction(part + step);
         if product(b, cos) >= product(a, sin) {
             part += step;
         }
         step /= 2;
     }
-    let [cos, sin] = ROTATIONS[part & 127];
+    let [cos, sin] = if part == 0 { [u32::MAX, 0] } else { direction(part) };
     let [a, b, cos, sin] = [a, b, cos, sin].map(i128::from);
-    // In [-1/300, 1/150], units of 2^-62; its fifth power is below them.
+    // At most 1/160, units of 2^-62; its fifth power is below them.
     let tan = ((b * cos - a * sin) << 62) / (a * cos + b * sin).max(1);
     let cube = (((tan * tan) >> 62) * tan) >> 62;
     let rest = ((tan - cube / 3) * FOUR_OVER_PI) >> 62;
-    let t = rest + ((2 * part as i128 + 1) << 62) / (2 * PARTS as i128);
+    let t = rest + ((part as i128) << 62) / PARTS as i128;
     u64::try_from(t.clamp(0, 1 << 62)).unwrap_or(0)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bits::hash::mix;
 
-    /// The reciprocal depends on the upper 21 bits alone: for the least and the largest `a` of each, it is
+    /// The reciprocal depends on the upper 20 bits alone: for the least and the largest `m` of each, it is
     /// not too large and not too small, and the product that chooses the part stays in its word.
     #[test]
     fn every_reciprocal_is_below_and_near() {
-        for upper in 1_u32 << 20..1 << 21 {
-            for a in [upper << 11, upper << 11 | 0x7ff] {
-                let (found, exact) = (u64::from(reciprocal(a)), (1_u64 << 48) / u64::from(a));
-                assert!(found <= exact && found + 5 >= exact, "{a:#x}: {found}, not {exact}");
-                assert!(u64::from(a >> 16) * found < 1 << 32, "{a:#x}");
+        for upper in 1_u32 << 17..1 << 20 {
+            let (least, largest) = (upper << 11, upper << 11 | 0x7ff);
+            let found = reciprocal(least).unwrap();
+            assert_eq!(reciprocal(largest), Some(found));
+            // Relative errors: of 1/3900 the part chosen is 1/30 of its width from the nearest one.
+            let error = |m: u32| 1.0 - f64::from(found) * f64::from(m) / 2_f64.powi(46);
+            assert!(error(least) >= 0.0 && error(least) < 1.0 / 3900.0, "{least:#x}: {found}");
+            // Times 2^-17.7 m that of a sagitta in LSBs.
+            assert!(error(least) * f64::from(least) < 180_000.0, "{least:#x}: {found}");
+            assert!(error(largest) > -2_f64.powi(-17), "{largest:#x}: {found}");
+            assert!(u64::from(largest >> 15) * u64::from(found) < 1 << 31, "{largest:#x}");
+        }
+    }
+
+    /// Between two parts, where the quotient decides, the turn is largest: with every reciprocal, its words
+    /// are wide enough (a test without its assertions of overflow asserts less).
+    #[test]
+    fn no_word_is_too_short() {
+        for k in 32_u32..256 {
+            for m in [k << 23, k << 23 | 0x7f_ffff, k << 23 | mix(k) >> 9] {
+                for i in 0..128 * 8 {
+                    let (part, near) = (i / 8, i % 8);
+                    let n = ((u64::from(m) * (256 * (2 * part + 1) + 5 * near - 5)) >> 16) as u32;
+                    let (x, y) = octant(m, n);
+                    let [a, b, x, y] = [m, n, x, y].map(f64::from);
+                    let angle = core::f64::consts::FRAC_PI_4 * (b / a);
+                    let error = (x / 2.0 - a * angle.cos()).hypot(y / 2.0 - a * angle.sin());
+                    assert!(error < 4.0, "{m:#x} {n:#x}: {error}");
+                }
             }
         }
     }
@@ -185,25 +246,53 @@ mod tests {
     /// Both sides of every edge between two parts, and where y is least: no length leaves its word.
     #[test]
     fn lengths_are_near_at_every_edge() {
-        let mut worst = 0.0_f64;
-        for a in
-            [u32::MAX, u32::MAX - 2, 0xf000_0001, 0xb504_f333, 0x8000_0001, 0x7fff_ffff, 0x101, 1]
-        {
+        let mut worst = [0.0_f64; 4];
+        for m in [
+            0x7fff_ffff,
+            0x7fff_fffe,
+            0x7800_0000,
+            0x5a82_7999,
+            0x4000_0000,
+            0x3fff_ffff,
+            0x1000_0001,
+            0x0800_0000,
+            0x07ff_ffff,
+            0x80,
+            1,
+            0,
+        ] {
             for part in 0..=128_u64 {
-                let edge = (u64::from(a) * part) >> 7;
-                for b in (edge.saturating_sub(9)..edge + 9).map(|b| b | 1) {
-                    if b > u64::from(a) {
+                let edge = (u64::from(m) * part) >> 7;
+                for n in edge.saturating_sub(9)..edge + 9 {
+                    if n > u64::from(m) {
                         continue;
                     }
-                    let (x, y) = octant(a, b as u32);
-                    let [a, b, x, y] = [f64::from(a), b as f64, f64::from(x), f64::from(y)];
+                    let (x, y) = octant(m, n as u32);
+                    let [a, b] = [f64::from(m) + 0.5, n as f64 + 0.5];
                     let angle = core::f64::consts::FRAC_PI_4 * (b / a);
-                    worst = worst.max((x - a * angle.cos()).abs());
-                    worst = worst.max((y - a * angle.sin()).abs());
+                    let (dx, dy) = (
+                        f64::from(x) / 2.0 - a * angle.cos(),
+                        f64::from(y) / 2.0 - a * angle.sin(),
+                    );
+                    worst =
+                        [worst[0].min(dx), worst[1].max(dx), worst[2].min(dy), worst[3].max(dy)];
                 }
             }
         }
-        // Units of 2^-32; a third of it is the inward scale.
-        assert!((4.0..7.0).contains(&worst), "{worst}");
+        // LSBs; half of it is the inward scale.
+        assert!(worst.iter().all(|error| error.abs() < 4.5), "{worst:?}");
+    }
+
+    /// At the rim no length exceeds that of the coordinates, not even before it is cut to LSBs.
+    #[test]
+    fn lengths_are_not_above_the_rim() {
+        let mut worst = f64::MIN;
+        for i in 0..2_000_000_u32 {
+            let m = 0x7fff_ffff - (mix(!i) >> (8 + i % 24));
+            let n = high(mix(i), m);
+            let (x, y) = octant(m, n);
+            worst = worst.max(f64::from(x).hypot(f64::from(y)) - 2.0 * f64::from(m) - 1.0);
+        }
+        assert!((-0.5..0.0).contains(&worst), "{worst}");
     }
 }

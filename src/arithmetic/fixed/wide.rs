@@ -2,7 +2,9 @@
 //!
 //! The unsigned ones of 32 bits are `bits::wide`'s, which says why there are forms by halves.
 
-pub(in crate::arithmetic) use crate::bits::wide::{HALVES, high, high_by_halves, product};
+pub(in crate::arithmetic) use crate::bits::wide::{
+    COUNTS_ZEROS, HALVES, high, high_by_halves, product,
+};
 
 /// floor(a b / 2^32); |a| is below 2^31 - 2^16.
 #[inline(always)]

@@ -4,16 +4,15 @@ use crate::arithmetic::Q31;
 use crate::arithmetic::fixed::root::root;
 use crate::arithmetic::fixed::rotation::{octant, unit};
 use crate::arithmetic::fixed::wide::product;
-use crate::square::fold;
 
-/// A point of the disc before it is rounded.
+/// A point of the disc before it gets its signs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Q31Disc {
     /// |x| in units of 2^-32; where an inverse begins, up to a factor that it has in common with |y|.
     pub(in crate::arithmetic) x: u32,
     /// |y| in the same units.
     pub(in crate::arithmetic) y: u32,
-    /// The signs of x and y: 0 or -1.
+    /// For each -1 where it is positive, else 0: a coordinate's own sign, which needs no constant.
     pub(in crate::arithmetic) signs: [i32; 2],
     /// r^2 in units of 2^-64; not 0 at a sampled point.
     pub(in crate::arithmetic) r2: u64,
@@ -21,10 +20,18 @@ pub struct Q31Disc {
     pub(in crate::arithmetic) rim: u64,
 }
 
-/// The number of a magnitude in LSBs, below 2^31, and a sign.
+/// The number of a magnitude in LSBs, below 2^31, and a sign, -1 where it is positive.
 #[inline(always)]
 pub(super) const fn signed(magnitude: u32, sign: i32) -> Q31 {
-    Q31::from_bits((magnitude.cast_signed() ^ sign).wrapping_sub(sign))
+    Q31::from_bits(sign.wrapping_sub(magnitude.cast_signed() ^ sign))
+}
+
+/// The magnitude m of a coordinate about the centre, 2u - 1 = +-(2m + 1) / 2^32, and its sign, -1 where it is
+/// positive.
+#[inline(always)]
+const fn fold(k: u32) -> (u32, i32) {
+    let j = (k ^ 0x8000_0000).cast_signed();
+    ((j ^ (j >> 31)).cast_unsigned(), k.cast_signed() >> 31)
 }
 
 /// The nearest positive number to a count of 2^-32.
@@ -40,12 +47,6 @@ pub(super) const fn nearest(z: u32) -> Q31 {
     })
 }
 
-/// x by / 2^shift to the nearest; `shift` is at least 32.
-#[inline(always)]
-pub(super) const fn scaled(x: u32, by: u32, shift: u32) -> u32 {
-    ((product(x, by) + (1 << (shift - 1))) >> shift) as u32
-}
-
 /// floor(x by / 2^32) of two floors, which stand for half a unit more.
 #[inline(always)]
 const fn halfway(x: u32, by: u32) -> u32 {
@@ -54,23 +55,34 @@ const fn halfway(x: u32, by: u32) -> u32 {
 
 impl Q31Disc {
     #[inline(always)]
+    const fn new(x: u32, y: u32, signs: [i32; 2], r2: u64) -> Self {
+        // 2^64 - r2; an odd number's square is not 0.
+        Self { x, y, signs, r2, rim: r2.wrapping_neg() }
+    }
+
+    #[inline(always)]
     pub(super) const fn store(self) -> [Q31; 2] {
         let [sign_x, sign_y] = self.signs;
-        [signed(self.x.wrapping_add(1) >> 1, sign_x), signed(self.y.wrapping_add(1) >> 1, sign_y)]
+        [signed(self.x >> 1, sign_x), signed(self.y >> 1, sign_y)]
     }
 }
 
 #[inline(always)]
 pub(super) const fn concentric<const RIM: bool>([u, v]: [u32; 2]) -> Q31Disc {
-    let ((m_u, sign_u), (m_v, sign_v)) = (fold(u), fold(v));
-    let swap = m_v > m_u;
-    let (major, minor) = if swap { (m_v, m_u) } else { (m_u, m_v) };
-    let a = 2 * major + 1;
-    let (long, short) = octant(a, 2 * minor + 1);
-    let (x, y) = if swap { (short, long) } else { (long, short) };
-    let r2 = if RIM { product(a, a) } else { 0 };
-    // 2^64 - r2; an odd number's square is not 0.
-    Q31Disc { x, y, signs: [sign_u, sign_v], r2, rim: r2.wrapping_neg() }
+    let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));
+    if v > u {
+        let (y, x) = octant(v, u);
+        Q31Disc::new(x, y, [sign_u, sign_v], ring::<RIM>(v))
+    } else {
+        let (x, y) = octant(u, v);
+        Q31Disc::new(x, y, [sign_u, sign_v], ring::<RIM>(u))
+    }
+}
+
+/// r^2 of a magnitude, where it is asked for.
+#[inline(always)]
+const fn ring<const RIM: bool>(m: u32) -> u64 {
+    if RIM { product(2 * m + 1, 2 * m + 1) } else { 0 }
 }
 
 #[inline(always)]
@@ -89,5 +101,5 @@ pub(super) const fn polar([u, v]: [u32; 2]) -> Q31Disc {
     let r = root(r2);
     // The floor of the product, as of the others.
     let (x, y) = (halfway(cos, r), halfway(sin, r));
-    Q31Disc { x, y, signs: [left, below], r2, rim: r2.wrapping_neg() }
+    Q31Disc::new(x, y, [!left, !below], r2)
 }

@@ -39,7 +39,7 @@ impl Q31Disc {
         Self {
             x: x.unsigned_abs(),
             y: y.unsigned_abs(),
-            signs: [x >> 31, y >> 31],
+            signs: [!x >> 31, !y >> 31],
             r2,
             rim: complement(r2),
         }
@@ -72,7 +72,7 @@ pub(super) fn lower_cosine([x, y, z]: [Q31; 3]) -> Q31Disc {
 /// The coordinate of a magnitude and its sign: the inverse of `fold`.
 #[inline]
 pub(super) fn unfold(magnitude: u32, sign: i32) -> u32 {
-    (0x8000_0000 | magnitude.min(0x7fff_ffff)) ^ sign.cast_unsigned()
+    0x7fff_ffff_u32.saturating_sub(magnitude) ^ sign.cast_unsigned()
 }
 
 /// Whether |y| > |x|, and the angle from the nearer axis as a fraction of an octant in units of 2^-62.
@@ -97,7 +97,7 @@ pub(super) fn polar(disc: Q31Disc) -> [u32; 2] {
     let (steep, t) = octant(disc);
     let octant = ((t >> 33) as u32).min(0x1fff_ffff);
     let quarter = if steep { octant ^ 0x3fff_ffff } else { octant };
-    let [left, below] = disc.signs.map(i32::cast_unsigned);
+    let [left, below] = disc.signs.map(|sign| !sign.cast_unsigned());
     let half = quarter ^ (left >> 1);
     [half ^ below, (disc.r2 >> 32) as u32]
 }

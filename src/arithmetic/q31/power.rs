@@ -1,10 +1,10 @@
 //! The power lobe: the exponent, the lift, its inverse and its density.
 
-use super::disc::{Q31Disc, nearest, scaled, signed};
+use super::disc::{Q31Disc, nearest, signed};
 use super::inverse::{above, complement, height, length_squared};
 use crate::arithmetic::fixed::root::root;
 use crate::arithmetic::fixed::scaled::{Scaled, exp, fall, log};
-use crate::arithmetic::fixed::wide::high_64;
+use crate::arithmetic::fixed::wide::{high_64, product};
 use crate::arithmetic::{FixedExponent, Q31};
 
 /// An exponent with what the power lobe needs of it.
@@ -48,7 +48,9 @@ pub(super) fn lift(exponent: Q31Exponent, disc: Q31Disc) -> [Q31; 3] {
     let ratio = root(quotient << (32 - (twice & 1)));
     // A product with the ratio is in LSBs after this.
     let shift = (33 - ((twice + 1) >> 1)).cast_unsigned().min(63);
-    let scaled = |x: u32| scaled(x, ratio, shift);
+    // To the nearest, but toward zero where z < 1/2: no point may leave the hemisphere.
+    let half = (z >> 63) << (shift - 1);
+    let scaled = |x: u32| ((product(x, ratio) + half) >> shift) as u32;
     let [sign_x, sign_y] = disc.signs;
     let (x, y) = (signed(scaled(disc.x), sign_x), signed(scaled(disc.y), sign_y));
     [x, y, nearest((z >> 32) as u32)]
