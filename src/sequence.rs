@@ -106,28 +106,68 @@ fn looked_up<S: Sequence>(sequence: S, start: u32) -> impl Iterator<Item = [u32;
     })
 }
 
-/// The points from an index on, in stretches of what is dear to begin and cheap to go on with: `enter` makes a
-/// state at an index and says for how many points it serves, at least one; `step` takes a point from it.
-#[inline(always)]
-fn walked<T: Default>(
-    start: u32,
-    enter: impl Fn(u32) -> (T, u32),
-    step: impl Fn(&mut T) -> [u32; 2],
-) -> impl Iterator<Item = [u32; 2]> {
-    let (mut state, mut left, mut next) = (T::default(), 0, start);
-    core::iter::repeat_with(move || {
-        if left == 0 {
-            (state, left) = enter(next);
-            // A stretch ends with the indices, too: the first of all follows the last.
-            if next != 0 {
-                left = left.min(next.wrapping_neg());
+/// A sequence in stretches that are dear to begin and cheap to go on with.
+trait Walk: Sequence {
+    type State: Default;
+
+    /// The state at an index, and for how many points it serves: at least one.
+    fn enter(&self, index: u32) -> (Self::State, u32);
+
+    /// Takes a point from a state.
+    fn step(&self, state: &mut Self::State) -> [u32; 2];
+
+    /// A stretch, which ends with the indices, too: the first of all follows the last.
+    #[inline(always)]
+    fn stretch(&self, start: u32) -> (Self::State, u32) {
+        let (state, left) = self.enter(start);
+        (state, if start == 0 { left } else { left.min(start.wrapping_neg()) })
+    }
+
+    /// [`Sequence::iter`].
+    #[inline(always)]
+    fn walk(self, start: u32) -> impl Iterator<Item = [u32; 2]> {
+        let (mut state, mut left, mut next) = (Self::State::default(), 0, start);
+        core::iter::repeat_with(move || {
+            if left == 0 {
+                (state, left) = self.stretch(next);
+                next = next.wrapping_add(left);
             }
-            next = next.wrapping_add(left);
+            left -= 1;
+            self.step(&mut state)
+        })
+    }
+
+    /// [`Sequence::fill_with`]: a loop for a stretch asks one question a point.
+    #[inline(always)]
+    fn walk_into<P>(&self, start: u32, slots: &mut [P], map: impl Fn([u32; 2]) -> P) {
+        let (mut next, mut slots) = (start, slots);
+        while !slots.is_empty() {
+            let (mut state, left) = self.stretch(next);
+            let (now, rest) = slots.split_at_mut(slots.len().min(left as usize));
+            for slot in now.iter_mut() {
+                *slot = map(self.step(&mut state));
+            }
+            next = next.wrapping_add(now.len() as u32);
+            slots = rest;
         }
-        left -= 1;
-        step(&mut state)
-    })
+    }
 }
+
+/// The methods of a [`Sequence`] that walks.
+macro_rules! walks {
+    () => {
+        #[inline(always)]
+        fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
+            self.walk(start)
+        }
+
+        #[inline(always)]
+        fn fill_with<P>(&self, start: u32, slots: &mut [P], map: impl Fn([u32; 2]) -> P) {
+            self.walk_into(start, slots, map);
+        }
+    };
+}
+use walks;
 
 /// A block of points that are cheaper one after another than each by its index.
 #[inline(always)]

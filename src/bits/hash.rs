@@ -76,6 +76,27 @@ impl Pairs {
     }
 }
 
+/// A counter hash from an index to a pair of independent uniform fractions of 16 bits: to jitter a point within
+/// its cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Jitter {
+    key: u32,
+}
+
+impl Jitter {
+    /// The jitter of a seed for a purpose, [`key`]'s.
+    pub(crate) const fn new(seed: u32, purpose: [u8; 4]) -> Self {
+        Self { key: key(seed, purpose) }
+    }
+
+    /// Below 2^16 each.
+    #[inline(always)]
+    pub(crate) const fn at(self, index: u32) -> [u32; 2] {
+        let word = mix(index ^ self.key);
+        [word >> 16, word & 0xffff]
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -117,6 +138,14 @@ mod tests {
         avalanche(|seed| Pairs::new(seed, *b"test").at(5)[0]);
         avalanche(|seed| Pairs::new(seed, *b"test").at(5)[1]);
         avalanche(|index| pairs.at(index)[0].wrapping_add(pairs.at(index)[1]));
+    }
+
+    #[test]
+    fn jitter_avalanches() {
+        let word = |[u, v]: [u32; 2]| u << 16 | v;
+        let jitter = Jitter::new(1, *b"test");
+        avalanche(|index| word(jitter.at(index)));
+        avalanche(|seed| word(Jitter::new(seed, *b"test").at(5)));
     }
 
     #[test]

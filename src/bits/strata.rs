@@ -8,7 +8,7 @@
 //! latter is ceil(c f / 2^32): c f / 2^32 is smaller than c r / n by less than c / 2^32 < 1 / n, and c r / n is
 //! an integer or at least 1 / n above one.
 
-use super::wide::{HALVES, high, high_by_halves};
+use super::wide::HALVES;
 
 /// `count` equal strata of one axis, `count` >= 1, with a prepared reciprocal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,15 +74,14 @@ impl Strata {
         first.wrapping_add(self.whole).wrapping_add((slack < self.rest) as u32)
     }
 
-    /// A cell of the stratum that begins at `first`, picked by 32 uniform bits.
-    ///
-    /// Where a stratum has one cell more than another, or all 2^32, its last is not picked.
+    /// A cell of the stratum that begins at `first`, at a fraction of 2^-16 of it.
     #[inline(always)]
-    pub(crate) const fn jittered(self, first: u32, bits: u32) -> u32 {
+    pub(crate) const fn jittered(self, first: u32, fraction: u32) -> u32 {
         first.wrapping_add(if HALVES {
-            high_by_halves(bits, self.halves)
+            let [upper, lower] = self.halves;
+            fraction * upper as u32 + ((fraction * lower as u32) >> 16)
         } else {
-            high(bits, self.whole)
+            ((fraction as u64 * self.whole as u64) >> 16) as u32
         })
     }
 }
@@ -155,20 +154,24 @@ mod tests {
         for count in [1, 2, 3, 7, 10, 300, 65_537, u32::MAX] {
             let strata = Strata::new(count);
             for stratum in [0, count / 2, count - 1] {
-                for bits in [0, 1, 1 << 31, u32::MAX] {
-                    let k = strata.jittered(strata.first(stratum), bits);
+                for fraction in [0, 1, 1 << 15, 0xffff] {
+                    let k = strata.jittered(strata.first(stratum), fraction);
                     let hit = (u64::from(k) * u64::from(count)) >> 32;
-                    assert_eq!(hit, u64::from(stratum), "{stratum} of {count}, {bits:#x}");
+                    assert_eq!(hit, u64::from(stratum), "{stratum} of {count}, {fraction:#x}");
+                    let [upper, lower] = strata.halves.map(u32::from);
+                    let by_halves = fraction * upper + ((fraction * lower) >> 16);
+                    assert_eq!(k, strata.first(stratum) + by_halves);
                 }
             }
         }
     }
 
-    /// One stratum is the whole axis: no bit is lost.
+    /// One stratum is the whole axis, in 2^16 places.
     #[test]
-    fn jitter_of_one_stratum_is_its_bits() {
-        for bits in [0, 1, 2, 0xffff, 1 << 31, u32::MAX] {
-            assert_eq!(Strata::new(1).jittered(0, bits), bits.saturating_sub(1));
+    fn jitter_of_one_stratum_is_its_fraction() {
+        for fraction in [0, 1, 2, 0x8000, 0xffff] {
+            let expected = (fraction << 16) - u32::from(fraction > 0);
+            assert_eq!(Strata::new(1).jittered(0, fraction), expected);
         }
     }
 }

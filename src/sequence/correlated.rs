@@ -7,7 +7,7 @@
 
 use super::{Grid, Sequence, repeat};
 use crate::bits::{
-    hash::{Pairs, key},
+    hash::{Jitter, key},
     permute::permute,
     strata::Strata,
 };
@@ -17,7 +17,7 @@ use crate::error::Error;
 /// evenly spread and in shuffled order.
 ///
 /// Promise: exactly one point in each of the m x n cells, in each of the mn strata of u and in each
-/// of the mn strata of v. A point costs three permutations
+/// of the mn strata of v, at one of 2^16 places of each. A point costs three permutations
 /// ([`permute`]).
 ///
 /// ```
@@ -35,7 +35,7 @@ pub struct Correlated {
     order: u32,
     columns: u32,
     rows: u32,
-    jitter: Pairs,
+    jitter: Jitter,
 }
 
 impl Correlated {
@@ -51,7 +51,7 @@ impl Correlated {
                 order: key(seed, *b"coro"),
                 columns: key(seed, *b"corc"),
                 rows: key(seed, *b"corw"),
-                jitter: Pairs::new(seed, *b"corr"),
+                jitter: Jitter::new(seed, *b"corr"),
             }),
             Err(error) => Err(error),
         }

@@ -4,7 +4,7 @@
 //! The radical inverse mirrors the digits of the index at the radix point. A coordinate is
 //! ceil(2^32 x) of the exact rational x, so that it lies in the stratum of every base that x does.
 
-use super::{Block, Sequence, block_in_order, walked};
+use super::{Block, Sequence, Walk, block_in_order, walks};
 use crate::bits::{
     reversed::Reversed,
     wide::{HALVES, high},
@@ -127,26 +127,29 @@ impl Sequence for Halton {
         self.at(index)
     }
 
-    #[inline(always)]
-    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        walked(
-            start,
-            |index| {
-                let state = (Reversed::new(index), radical_inverse_3(index));
-                // From 3^20 on a cell does not tell the digits.
-                (state, SCALE.saturating_sub(index).max(1))
-            },
-            |(index, v)| {
-                let point = [index.bits(), *v];
-                (*index, *v) = (index.after(), after(*v));
-                point
-            },
-        )
-    }
+    walks!();
 
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         block_in_order(self.iter(start), u, v);
+    }
+}
+
+impl Walk for Halton {
+    type State = (Reversed, u32);
+
+    #[inline(always)]
+    fn enter(&self, index: u32) -> (Self::State, u32) {
+        let state = (Reversed::new(index), radical_inverse_3(index));
+        // From 3^20 on a cell does not tell the digits.
+        (state, SCALE.saturating_sub(index).max(1))
+    }
+
+    #[inline(always)]
+    fn step(&self, (index, v): &mut Self::State) -> [u32; 2] {
+        let point = [index.bits(), *v];
+        (*index, *v) = (index.after(), after(*v));
+        point
     }
 }
 

@@ -1,7 +1,7 @@
 //! Hammersley set of N points: u = i / N, v = the radical inverse of i in base 2
 //! (J. Hammersley, "Monte Carlo Methods for Solving Multivariable Problems", 1960).
 
-use super::{Sequence, not_empty, repeat, walked};
+use super::{Sequence, Walk, not_empty, repeat, walks};
 use crate::bits::{reversed::Reversed, strata::Strata};
 use crate::error::Error;
 
@@ -50,20 +50,22 @@ impl Sequence for Hammersley {
         self.at(index)
     }
 
+    walks!();
+}
+
+impl Walk for Hammersley {
+    type State = (Reversed, u32);
+
     #[inline(always)]
-    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let strata = self.strata;
-        walked(
-            start,
-            move |index| {
-                let index = repeat(index, strata.count());
-                ((Reversed::new(index), strata.first(index)), strata.count() - index)
-            },
-            move |(v, u)| {
-                let point = [*u, v.bits()];
-                (*v, *u) = (v.after(), strata.after(*u));
-                point
-            },
-        )
+    fn enter(&self, index: u32) -> (Self::State, u32) {
+        let index = repeat(index, self.strata.count());
+        ((Reversed::new(index), self.strata.first(index)), self.strata.count() - index)
+    }
+
+    #[inline(always)]
+    fn step(&self, (v, u): &mut Self::State) -> [u32; 2] {
+        let point = [*u, v.bits()];
+        (*v, *u) = (v.after(), self.strata.after(*u));
+        point
     }
 }

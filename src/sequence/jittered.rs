@@ -1,14 +1,15 @@
 //! Jittered points: one uniformly random point in every cell of an m x n grid
 //! (R. Cook, "Stochastic Sampling in Computer Graphics", 1986).
 
-use super::{Block, Grid, Sequence, block_in_order, repeat, walked};
-use crate::bits::{hash::Pairs, strata::Strata};
+use super::{Block, Grid, Sequence, Walk, block_in_order, repeat, walks};
+use crate::bits::{hash::Jitter, strata::Strata};
 use crate::error::Error;
 
 /// One random point in each cell of an m x n grid: column i mod m, row i / m.
 ///
-/// Promise: exactly one point in each of the m x n cells. The order is row by row; a renderer that
-/// pairs two such sets shuffles one ([`Shuffled`](super::Shuffled)).
+/// Promise: exactly one point in each of the m x n cells, at one of 2^16 x 2^16 places. The order is
+/// row by row; a renderer that pairs two such sets shuffles one ([`Shuffled`](super::Shuffled)). A
+/// point costs one hash.
 ///
 /// ```
 /// use hemidisc::sequence::Jittered;
@@ -21,7 +22,7 @@ pub struct Jittered {
     grid: Grid,
     columns: Strata,
     rows: Strata,
-    jitter: Pairs,
+    jitter: Jitter,
 }
 
 impl Jittered {
@@ -35,7 +36,7 @@ impl Jittered {
                 grid,
                 columns: Strata::new(columns),
                 rows: Strata::new(rows),
-                jitter: Pairs::new(seed, *b"jitt"),
+                jitter: Jitter::new(seed, *b"jitt"),
             }),
             Err(error) => Err(error),
         }
@@ -64,28 +65,32 @@ impl Sequence for Jittered {
         self.at(index)
     }
 
-    /// A row at a time.
-    #[inline(always)]
-    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let Self { grid, columns, rows, jitter } = *self;
-        walked(
-            start,
-            move |index| {
-                let index = repeat(index, grid.size());
-                let [column, row] = grid.cell(index);
-                ((index, columns.first(column), rows.first(row)), grid.columns() - column)
-            },
-            move |(index, left, top)| {
-                let [u, v] = jitter.at(*index);
-                let point = [columns.jittered(*left, u), rows.jittered(*top, v)];
-                (*index, *left) = (index.wrapping_add(1), columns.after(*left));
-                point
-            },
-        )
-    }
+    walks!();
 
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         block_in_order(self.iter(start), u, v);
+    }
+}
+
+/// A row at a time.
+impl Walk for Jittered {
+    /// The index, and where its column and its row begin.
+    type State = (u32, u32, u32);
+
+    #[inline(always)]
+    fn enter(&self, index: u32) -> (Self::State, u32) {
+        let index = repeat(index, self.grid.size());
+        let [column, row] = self.grid.cell(index);
+        let state = (index, self.columns.first(column), self.rows.first(row));
+        (state, self.grid.columns() - column)
+    }
+
+    #[inline(always)]
+    fn step(&self, (index, left, top): &mut Self::State) -> [u32; 2] {
+        let [u, v] = self.jitter.at(*index);
+        let point = [self.columns.jittered(*left, u), self.rows.jittered(*top, v)];
+        (*index, *left) = (index.wrapping_add(1), self.columns.after(*left));
+        point
     }
 }

@@ -5,9 +5,9 @@
 //! r m + Q_r(c) of an mn x mn board, where P_c permutes the n rows of column c and Q_r the m
 //! columns of row r, each with a key of its own.
 
-use super::{Grid, Sequence, repeat, walked};
+use super::{Grid, Sequence, Walk, repeat, walks};
 use crate::bits::{
-    hash::{Pairs, key, mix},
+    hash::{Jitter, key, mix},
     permute::permute,
     strata::Strata,
 };
@@ -16,7 +16,7 @@ use crate::error::Error;
 /// One random point in each cell of an m x n grid that also has one in each of mn columns and rows.
 ///
 /// Promise: exactly one point in each of the m x n cells, in each of the mn strata of u and in each
-/// of the mn strata of v. The order is row by row. A point costs two permutations
+/// of the mn strata of v, at one of 2^16 places of each. The order is row by row. A point costs two permutations
 /// ([`permute`]).
 ///
 /// ```
@@ -33,7 +33,7 @@ pub struct MultiJittered {
     fine: Strata,
     in_columns: u32,
     in_rows: u32,
-    jitter: Pairs,
+    jitter: Jitter,
 }
 
 impl MultiJittered {
@@ -48,7 +48,7 @@ impl MultiJittered {
                 fine: Strata::new(grid.size()),
                 in_columns: key(seed, *b"mulc"),
                 in_rows: key(seed, *b"mulr"),
-                jitter: Pairs::new(seed, *b"mult"),
+                jitter: Jitter::new(seed, *b"mult"),
             }),
             Err(error) => Err(error),
         }
@@ -87,22 +87,25 @@ impl Sequence for MultiJittered {
         self.at(index)
     }
 
-    /// A row at a time.
+    walks!();
+}
+
+/// A row at a time.
+impl Walk for MultiJittered {
+    /// The index and its cell.
+    type State = (u32, [u32; 2]);
+
     #[inline(always)]
-    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let set = *self;
-        walked(
-            start,
-            move |index| {
-                let index = repeat(index, set.grid.size());
-                let [column, row] = set.grid.cell(index);
-                ((index, [column, row]), set.grid.columns() - column)
-            },
-            move |(index, cell)| {
-                let point = set.in_cell(*index, *cell);
-                (*index, cell[0]) = (index.wrapping_add(1), cell[0] + 1);
-                point
-            },
-        )
+    fn enter(&self, index: u32) -> (Self::State, u32) {
+        let index = repeat(index, self.grid.size());
+        let [column, row] = self.grid.cell(index);
+        ((index, [column, row]), self.grid.columns() - column)
+    }
+
+    #[inline(always)]
+    fn step(&self, (index, cell): &mut Self::State) -> [u32; 2] {
+        let point = self.in_cell(*index, *cell);
+        (*index, cell[0]) = (index.wrapping_add(1), cell[0] + 1);
+        point
     }
 }

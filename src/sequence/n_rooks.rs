@@ -1,9 +1,9 @@
 //! N-rooks (Latin hypercube) points: N rooks on an N x N board, none attacking another
 //! (P. Shirley, "Discrepancy as a Quality Measure for Sample Distributions", 1991).
 
-use super::{Sequence, not_empty, repeat, walked};
+use super::{Sequence, Walk, not_empty, repeat, walks};
 use crate::bits::{
-    hash::{Pairs, key},
+    hash::{Jitter, key},
     permute::permute,
     strata::Strata,
 };
@@ -11,8 +11,8 @@ use crate::error::Error;
 
 /// N points, one in each of N columns and one in each of N rows: column i, a random row.
 ///
-/// Promise: each of the N strata of u and each of the N strata of v holds exactly one point. The
-/// order is by column; a renderer that pairs two such sets shuffles one
+/// Promise: each of the N strata of u and each of the N strata of v holds exactly one point, at one of
+/// 2^16 places of the stratum. The order is by column; a renderer that pairs two such sets shuffles one
 /// ([`Shuffled`](super::Shuffled)). A point costs one permutation ([`permute`]).
 ///
 /// ```
@@ -27,7 +27,7 @@ use crate::error::Error;
 pub struct NRooks {
     strata: Strata,
     rows: u32,
-    jitter: Pairs,
+    jitter: Jitter,
 }
 
 impl NRooks {
@@ -40,7 +40,7 @@ impl NRooks {
             Ok(()) => Ok(Self {
                 strata: Strata::new(count),
                 rows: key(seed, *b"rows"),
-                jitter: Pairs::new(seed, *b"rook"),
+                jitter: Jitter::new(seed, *b"rook"),
             }),
             Err(error) => Err(error),
         }
@@ -73,20 +73,23 @@ impl Sequence for NRooks {
         self.at(index)
     }
 
+    walks!();
+}
+
+impl Walk for NRooks {
+    /// A column, and where it begins.
+    type State = (u32, u32);
+
     #[inline(always)]
-    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let set = *self;
-        walked(
-            start,
-            move |index| {
-                let column = repeat(index, set.strata.count());
-                ((column, set.strata.first(column)), set.strata.count() - column)
-            },
-            move |(column, left)| {
-                let point = set.in_column(*column, *left);
-                (*column, *left) = (*column + 1, set.strata.after(*left));
-                point
-            },
-        )
+    fn enter(&self, index: u32) -> (Self::State, u32) {
+        let column = repeat(index, self.strata.count());
+        ((column, self.strata.first(column)), self.strata.count() - column)
+    }
+
+    #[inline(always)]
+    fn step(&self, (column, left): &mut Self::State) -> [u32; 2] {
+        let point = self.in_column(*column, *left);
+        (*column, *left) = (*column + 1, self.strata.after(*left));
+        point
     }
 }

@@ -3,7 +3,7 @@
 //! Coordinate c of m is the cell floor((2c + 1) 2^31 / m) that holds (2c + 1) / 2m, which is never on
 //! the edge of a stratum. Point i is in column i mod m, row i / m.
 
-use super::{Block, Grid, Sequence, block_in_order, repeat, walked};
+use super::{Block, Grid, Sequence, Walk, block_in_order, repeat, walks};
 use crate::bits::strata::Strata;
 use crate::error::Error;
 
@@ -80,27 +80,30 @@ impl Sequence for Regular {
         self.at(index)
     }
 
-    /// A row at a time.
-    #[inline(always)]
-    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let Self { grid, columns, rows } = *self;
-        walked(
-            start,
-            move |index| {
-                let [column, row] = grid.cell(repeat(index, grid.size()));
-                let v = rows.centre(rows.strata.first(row));
-                ((columns.strata.first(column), v), grid.columns() - column)
-            },
-            move |(left, v)| {
-                let point = [columns.centre(*left), *v];
-                *left = columns.strata.after(*left);
-                point
-            },
-        )
-    }
+    walks!();
 
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         block_in_order(self.iter(start), u, v);
+    }
+}
+
+/// A row at a time.
+impl Walk for Regular {
+    /// Where the column begins, and v.
+    type State = (u32, u32);
+
+    #[inline(always)]
+    fn enter(&self, index: u32) -> (Self::State, u32) {
+        let [column, row] = self.grid.cell(repeat(index, self.grid.size()));
+        let v = self.rows.centre(self.rows.strata.first(row));
+        ((self.columns.strata.first(column), v), self.grid.columns() - column)
+    }
+
+    #[inline(always)]
+    fn step(&self, (left, v): &mut Self::State) -> [u32; 2] {
+        let point = [self.columns.centre(*left), *v];
+        *left = self.columns.strata.after(*left);
+        point
     }
 }

@@ -4,7 +4,7 @@
 //! modulo 2, the Kronecker power of [1 1; 0 1], so it acts on the reversed index in five xor-shift
 //! steps. Indices are in natural order, not Gray code.
 
-use super::{BLOCK, Block, Sequence, walked};
+use super::{BLOCK, Block, Sequence, Walk, walks};
 use crate::bits::hash::shift;
 
 /// The Sobol (0, 2)-sequence, with an optional digital (xor) shift.
@@ -96,23 +96,7 @@ impl Sequence for Sobol {
         self.at(index)
     }
 
-    /// As a block, of as few as a small image has room for.
-    #[inline(always)]
-    fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let sequence = *self;
-        walked(
-            start,
-            move |index| {
-                let offset = index % FEW as u32;
-                ((sequence.at(index - offset), offset), FEW as u32 - offset)
-            },
-            |([u, v], offset)| {
-                let [du, dv] = FIRST[*offset as usize % FEW];
-                *offset += 1;
-                [*u ^ du, *v ^ dv]
-            },
-        )
-    }
+    walks!();
 
     /// Both matrices are linear over xor, so a block is its first point xor a table.
     #[inline(always)]
@@ -123,5 +107,24 @@ impl Sequence for Sobol {
                 *slot = base[axis] ^ offset;
             }
         }
+    }
+}
+
+/// As a block, of as few as a small image has room for.
+impl Walk for Sobol {
+    /// The point that the few begin with, and the place among them.
+    type State = ([u32; 2], u32);
+
+    #[inline(always)]
+    fn enter(&self, index: u32) -> (Self::State, u32) {
+        let offset = index % FEW as u32;
+        ((self.at(index - offset), offset), FEW as u32 - offset)
+    }
+
+    #[inline(always)]
+    fn step(&self, ([u, v], offset): &mut Self::State) -> [u32; 2] {
+        let [du, dv] = FIRST[*offset as usize % FEW];
+        *offset += 1;
+        [*u ^ du, *v ^ dv]
     }
 }

@@ -14,9 +14,7 @@ macro_rules! sequences {
         #[unsafe(export_name = concat!("sequence/", $name))]
         #[inline(never)]
         fn fill(sequence: &$type, points: &mut [[u32; 2]]) -> usize {
-            for (slot, point) in points.iter_mut().zip(sequence.iter(0)) {
-                *slot = point;
-            }
+            sequence.fill_with(0, points, |point| point);
             points.len()
         }
         let sequence = black_box($value);
