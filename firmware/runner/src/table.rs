@@ -89,7 +89,7 @@ fn summary(report: &Report) -> String {
         ("cosine", "concentric"),
         ("power", "concentric"),
     ];
-    let arithmetics = ["q15", "q15-div", "q31", "fast-f32", "libm-f32"];
+    let arithmetics = ["q15", "q15-div", "q31", "q31-to-f32", "fast-f32", "libm-f32"];
     let wanted = |record: &Record, map: &str, disc: &str| {
         record.core == CORES[0].name
             && record.map.as_deref() == Some(map)
