@@ -64,13 +64,13 @@ pub const CONTRACTS: [Contract; 28] = [
     Contract { arithmetic: "q31",      map: "uniform", unit: LSB31, relative: false, position: 5.25, norm: 5.75, theta: 3.75, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 7.0 },
     Contract { arithmetic: "q31",      map: "cosine",  unit: LSB31, relative: false, position: 4.0, norm: 4.5, theta: 3.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 5.0 },
     Contract { arithmetic: "q31",      map: "power",   unit: LSB31, relative: false, position: 5.5, norm: 6.0, theta: 3.75, z: [0.0, 0.0], density: [5.0, 0.6], inverse: 8.5 },
-    Contract { arithmetic: "q15",     map: "disc",    unit: LSB15, relative: false, position: 2.5, norm: 3.0, theta: 0.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 3.0 },
+    Contract { arithmetic: "q15",     map: "disc",    unit: LSB15, relative: false, position: 2.5, norm: 3.25, theta: 0.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 3.0 },
     Contract { arithmetic: "q15",     map: "uniform", unit: LSB15, relative: false, position: 3.5, norm: 4.5, theta: 2.75, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 5.0 },
-    Contract { arithmetic: "q15",     map: "cosine",  unit: LSB15, relative: false, position: 2.5, norm: 3.0, theta: 2.25, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 3.5 },
+    Contract { arithmetic: "q15",     map: "cosine",  unit: LSB15, relative: false, position: 2.5, norm: 3.25, theta: 2.25, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 3.5 },
     Contract { arithmetic: "q15",     map: "power",   unit: LSB15, relative: false, position: 4.75, norm: 4.5, theta: 4.0, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 8.0 },
-    Contract { arithmetic: "q15-div", map: "disc",    unit: LSB15, relative: false, position: 2.5, norm: 3.0, theta: 0.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 3.0 },
+    Contract { arithmetic: "q15-div", map: "disc",    unit: LSB15, relative: false, position: 2.5, norm: 3.25, theta: 0.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 3.0 },
     Contract { arithmetic: "q15-div", map: "uniform", unit: LSB15, relative: false, position: 3.5, norm: 4.5, theta: 3.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 6.0 },
-    Contract { arithmetic: "q15-div", map: "cosine",  unit: LSB15, relative: false, position: 2.5, norm: 3.0, theta: 2.5, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 4.0 },
+    Contract { arithmetic: "q15-div", map: "cosine",  unit: LSB15, relative: false, position: 2.5, norm: 3.25, theta: 2.5, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 4.0 },
     Contract { arithmetic: "q15-div", map: "power",   unit: LSB15, relative: false, position: 4.75, norm: 4.5, theta: 4.0, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 8.5 },
 ];
 
