@@ -19,6 +19,7 @@ use clap::Parser;
 use cores::{CORES, Core};
 use report::{Lens, Record, Report};
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 /// Measures hemidisc on microcontroller cores in QEMU.
 #[derive(Parser)]
@@ -71,7 +72,18 @@ fn measure(core: &Core) -> Result<(Vec<Record>, Lens)> {
     Ok((records, Lens { core: core.name, flash_bytes: lens.flash, ram_bytes: lens.ram, picture }))
 }
 
-fn main() -> Result<()> {
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        // The chain of reasons, and no trace of the stack.
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<()> {
     let arguments = Arguments::parse();
     if arguments.library {
         return tools::build_library();
