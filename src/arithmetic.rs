@@ -41,7 +41,7 @@ mod q31;
 pub use fast_f32::{FastDisc, FastExponent, FastF32};
 #[cfg(feature = "fixed-point")]
 pub use fixed::{FixedExponent, Q15, Q31};
-pub use float::{Float, FloatDisc, PowerExponent, Real};
+pub use float::{Float, FloatDisc, PowerExponent, Real, Root};
 #[cfg(feature = "libm")]
 pub use libm_f32::LibmF32;
 #[cfg(feature = "libm")]

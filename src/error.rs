@@ -104,6 +104,16 @@ pub enum Error {
     NoDirection,
     /// A limit of zero draws for each point.
     NoDraws,
+    /// A radius that is not a finite number from 0 on.
+    Radius {
+        /// What was given (an `f32` widens to `f64` exactly).
+        value: f64,
+    },
+    /// A distance that is not above 0.
+    Distance {
+        /// What was given (an `f32` widens to `f64` exactly).
+        value: f64,
+    },
 }
 
 impl fmt::Display for Error {
@@ -152,6 +162,12 @@ impl fmt::Display for Error {
                 "a vector that is zero, infinite or not a number; accepted: finite, not zero",
             ),
             Self::NoDraws => f.write_str("a limit of 0 draws a point; accepted: at least 1"),
+            Self::Radius { value } => {
+                write!(f, "radius is {value}; accepted: a finite number, at least 0")
+            }
+            Self::Distance { value } => {
+                write!(f, "distance is {value}; accepted: a number above 0, infinity included")
+            }
         }
     }
 }

@@ -4,7 +4,7 @@
 //! Orthonormal Basis, Revisited", JCGT 6(1), 2017: no branch, no square root, and exact near
 //! n_z = -1, where Frisvad's form divides by 0.
 
-use crate::arithmetic::{Arithmetic, Float, Real};
+use crate::arithmetic::{Arithmetic, Real, Root};
 use crate::error::Error;
 use crate::map::{Map, by_component};
 use crate::sequence::{BLOCK, Block};
@@ -49,7 +49,7 @@ impl<R: Real> Frame<R> {
     /// # Errors
     /// [`Error::NoDirection`] for a vector that is zero, infinite or not a number.
     #[inline]
-    pub fn normalized<A: Float<Real = R>>(vector: [R; 3]) -> Result<Self, Error> {
+    pub fn normalized<A: Root<Real = R>>(vector: [R; 3]) -> Result<Self, Error> {
         // Scaled by the largest component first, or the squares may leave the range.
         let [x, y, z] = vector.map(R::magnitude);
         let larger = if x > y { x } else { y };
@@ -63,8 +63,9 @@ impl<R: Real> Frame<R> {
         Ok(Self::about(scaled.map(|component| component / length)))
     }
 
+    /// Of a vector that is known to be of unit length.
     #[inline]
-    fn about(z: [R; 3]) -> Self {
+    pub(crate) fn about(z: [R; 3]) -> Self {
         let [n_x, n_y, n_z] = z;
         let sign = R::ONE.with_sign(n_z);
         let a = -R::ONE / (sign + n_z);
@@ -96,7 +97,7 @@ impl<R: Real> Frame<R> {
 }
 
 #[inline]
-fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
+pub(crate) fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 

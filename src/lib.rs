@@ -17,6 +17,8 @@ pub mod arithmetic;
 
 pub mod frame;
 pub mod points;
+
+pub mod effect;
 mod table;
 
 // What the journey stands on, and what it promises.

@@ -31,7 +31,7 @@ mod power;
 pub use disc::FastDisc;
 pub use power::FastExponent;
 
-use super::Arithmetic;
+use super::{Arithmetic, Root};
 use crate::error::Error;
 use crate::map::DiscMap;
 use crate::sequence::{BLOCK, Block};
@@ -106,6 +106,13 @@ impl FastF32 {
     #[doc(hidden)]
     pub fn atan(x: f32) -> f32 {
         <Functions as super::Float>::atan(x)
+    }
+}
+
+impl Root for FastF32 {
+    #[inline(always)]
+    fn sqrt(x: f32) -> f32 {
+        functions::sqrt(x)
     }
 }
 

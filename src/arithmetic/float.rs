@@ -62,6 +62,19 @@ pub trait Float: Copy + Default + Debug + PartialEq + Send + Sync + 'static {
     fn exp_m1(x: Self::Real) -> Self::Real;
 }
 
+/// An arithmetic of `f32` or `f64` that takes square roots: what distances and unit vectors need.
+pub trait Root: Arithmetic<Real: Real> {
+    /// Square root of x in [0, MAX].
+    fn sqrt(x: Self::Real) -> Self::Real;
+}
+
+impl<T: Float> Root for T {
+    #[inline(always)]
+    fn sqrt(x: T::Real) -> T::Real {
+        <T as Float>::sqrt(x)
+    }
+}
+
 impl<T: Float> Arithmetic for T {
     const NAME: &'static str = T::NAME;
     const ABSOLUTE_DENSITY: bool = true;

@@ -2,10 +2,12 @@
 
 mod concentric;
 mod polar;
+mod polygon;
 mod rejection;
 
 pub use concentric::Concentric;
 pub use polar::Polar;
+pub use polygon::Polygon;
 pub use rejection::Rejection;
 
 use super::Map;

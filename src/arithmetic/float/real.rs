@@ -37,6 +37,8 @@ pub trait Real:
     const EPSILON: Self;
     #[doc(hidden)]
     const MIN_POSITIVE: Self;
+    #[doc(hidden)]
+    const MAX: Self;
     /// Far above the smallest normal number, far below 1.
     #[doc(hidden)]
     const TINY: Self;
@@ -91,6 +93,7 @@ macro_rules! real {
             const FOUR: Self = 4.0;
             const EPSILON: Self = $float::EPSILON;
             const MIN_POSITIVE: Self = $float::MIN_POSITIVE;
+            const MAX: Self = $float::MAX;
             const TINY: Self = $float::MIN_POSITIVE * (1_u64 << 32) as $float;
             const FRAC_PI_4: Self = core::$float::consts::FRAC_PI_4;
             const FRAC_4_PI: Self = 4.0 * core::$float::consts::FRAC_1_PI;

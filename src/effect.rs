@@ -1,0 +1,65 @@
+//! Effects: what a renderer asks of points and directions, each alone.
+//!
+//! | effect | points | sample |
+//! | --- | --- | --- |
+//! | [`ThinLens`] | on a round or polygonal aperture | a ray through the point in focus |
+//! | [`DiscLight`] | on the light | the direction to it, its density per steradian |
+//! | [`AmbientOcclusion`] | directions about a normal | one to be looked along up to a reach |
+//! | [`Glossy`] | directions about the mirror's | one above the surface, by one of three policies |
+//!
+//! A renderer that holds no value of an effect's type pays nothing for it: no point drawn, no code, no table.
+//! Every sample has its density, and the weight that an estimate multiplies with what the sample sees:
+//! the mean of weight times value is the integral that the effect stands for.
+//!
+//! Numbers are finite for all finite input, and where nothing is to be seen the weight is 0: a receiver on the
+//! light, in its plane or behind it. Vectors that are to be of unit length are taken as such.
+
+mod ambient_occlusion;
+mod disc_light;
+mod glossy;
+mod thin_lens;
+
+pub use ambient_occlusion::AmbientOcclusion;
+pub use disc_light::{DiscLight, LightSample};
+pub use glossy::{BelowHorizon, Glossy};
+pub use thin_lens::{LensRay, ThinLens};
+
+use crate::arithmetic::Real;
+use crate::error::Error;
+
+/// A direction with its density and weight.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DirectionSample<R> {
+    /// Of unit length, in world space.
+    pub direction: [R; 3],
+    /// Per steradian; at most MAX.
+    pub density: R,
+    /// What the estimate multiplies with the value seen along the direction.
+    pub weight: R,
+}
+
+/// A finite number, at least 0.
+fn checked_radius<R: Real>(radius: R) -> Result<R, Error> {
+    if radius >= R::ZERO && radius.finite() {
+        Ok(radius)
+    } else {
+        Err(Error::Radius { value: radius.into() })
+    }
+}
+
+/// A number above 0, infinity included.
+fn checked_distance<R: Real>(distance: R) -> Result<R, Error> {
+    if distance > R::ZERO { Ok(distance) } else { Err(Error::Distance { value: distance.into() }) }
+}
+
+/// 1 / x for x >= 0, at most MAX.
+fn at_most_max<R: Real>(x: R) -> R {
+    let inverse = R::ONE / x;
+    if inverse.finite() { inverse } else { R::MAX }
+}
+
+/// a + k b.
+#[inline]
+fn along<R: Real>(a: [R; 3], k: R, b: [R; 3]) -> [R; 3] {
+    core::array::from_fn(|i| a[i] + k * b[i])
+}

@@ -1,0 +1,59 @@
+//! Ambient occlusion: how much of the sky, weighted by the cosine, nothing near hides
+//! (S. Zhukov, A. Iones and G. Kronin, "An Ambient Light Illumination Model", 1998).
+//!
+//! Directions of density cos theta / pi make it a plain mean: of 1 where nothing is met within the reach, else 0.
+
+use super::{DirectionSample, checked_distance};
+use crate::arithmetic::{Arithmetic, Real};
+use crate::error::Error;
+use crate::frame::Frame;
+use crate::map::{Cosine, Map};
+
+/// Cosine-weighted directions about a normal, to be looked along up to a reach.
+///
+/// ```
+/// use hemidisc::{Frame, LibmF32, effect::AmbientOcclusion};
+/// let occlusion = AmbientOcclusion::<LibmF32>::new(0.5)?;
+/// let ground = Frame::new([0.0, 1.0, 0.0])?;
+/// let sample = occlusion.sample(&ground, [1 << 31, 1 << 30]);
+/// assert!(sample.direction[1] > 0.0 && sample.weight == 1.0);
+/// assert_eq!(occlusion.openness(Some(0.4)), 0.0);
+/// assert_eq!(occlusion.openness(None), 1.0);
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AmbientOcclusion<A: Arithmetic> {
+    lobe: Cosine<A>,
+    reach: A::Real,
+}
+
+impl<A: Arithmetic<Real: Real>> AmbientOcclusion<A> {
+    /// Occlusion by what is nearer than `reach`, which may be infinite.
+    ///
+    /// # Errors
+    /// [`Error::Distance`] for a reach that is not above 0.
+    pub fn new(reach: A::Real) -> Result<Self, Error> {
+        Ok(Self { lobe: Cosine::new(), reach: checked_distance(reach)? })
+    }
+
+    /// How far to look.
+    pub const fn reach(&self) -> A::Real {
+        self.reach
+    }
+
+    /// A direction about the third axis of a frame.
+    #[inline]
+    pub fn sample(&self, normal: &Frame<A::Real>, uv: [u32; 2]) -> DirectionSample<A::Real> {
+        let (local, density) = self.lobe.sample_with_density(uv);
+        DirectionSample { direction: normal.to_world(local), density, weight: A::Real::ONE }
+    }
+
+    /// 1 where nothing is met, or beyond the reach; else 0.
+    #[inline]
+    pub fn openness(&self, met: Option<A::Real>) -> A::Real {
+        match met {
+            Some(distance) if distance < self.reach => A::Real::ZERO,
+            _ => A::Real::ONE,
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! A disc light: soft shadows (K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 18).
+//!
+//! A point of the disc, uniform over its area A, is seen from a receiver at a distance d and under the angle
+//! theta' to the disc's normal. Its density per steradian is d^2 / (A cos theta'), and
+//!
+//!     irradiance = mean of radiance A cos theta cos theta' / d^2 where nothing is in the way
+//!
+//! with the receiver's own cos theta. The weight is cos theta' / d^2, so radiance A, the light's intensity
+//! along its axis, stays finite for a light of radius 0, which is a point.
+
+use super::{along, at_most_max, checked_radius};
+use crate::arithmetic::{Arithmetic, Real, Root};
+use crate::error::Error;
+use crate::frame::{Frame, dot};
+use crate::map::{Concentric, Map};
+
+/// A light of the shape of a disc that shines to the side of its normal, or to both.
+///
+/// ```
+/// use hemidisc::{Frame, LibmF32, effect::DiscLight};
+/// let down = Frame::new([0.0, -1.0, 0.0])?;
+/// let lamp = DiscLight::<LibmF32>::new([0.0, 3.0, 0.0], down, 0.5)?;
+/// let sample = lamp.sample([0.0, 1.0, 0.0], [1 << 31, 1 << 31]);
+/// assert!((sample.distance - 2.0).abs() < 1e-6 && (sample.weight - 0.25).abs() < 1e-6);
+/// // Behind it there is no light.
+/// assert_eq!(lamp.sample([0.0, 4.0, 0.0], [1 << 31, 1 << 31]).weight, 0.0);
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiscLight<A: Arithmetic> {
+    map: Concentric<A>,
+    centre: [A::Real; 3],
+    frame: Frame<A::Real>,
+    radius: A::Real,
+    two_sided: bool,
+}
+
+/// A point of a light as a receiver sees it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LightSample<R> {
+    /// On the light.
+    pub point: [R; 3],
+    /// From the receiver, of unit length; the light's normal for a receiver at the point.
+    pub direction: [R; 3],
+    /// From the receiver.
+    pub distance: R,
+    /// Per steradian about the receiver, at most MAX; 0 where no light goes.
+    pub density: R,
+    /// cos theta' / d^2: times the intensity along the axis and the receiver's cos theta it is irradiance.
+    pub weight: R,
+}
+
+impl<A: Root> DiscLight<A> {
+    /// A light about a centre, whose normal is the frame's third axis; one-sided.
+    ///
+    /// # Errors
+    /// [`Error::Radius`] for a radius that is not a finite number from 0 on.
+    pub fn new(
+        centre: [A::Real; 3],
+        frame: Frame<A::Real>,
+        radius: A::Real,
+    ) -> Result<Self, Error> {
+        let radius = checked_radius(radius)?;
+        Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false })
+    }
+
+    /// The same light, shining to both sides.
+    pub const fn two_sided(self) -> Self {
+        Self { two_sided: true, ..self }
+    }
+
+    /// pi r^2.
+    #[inline]
+    pub fn area(&self) -> A::Real {
+        self.radius * self.radius / A::Real::FRAC_1_PI
+    }
+
+    /// The density of its points, per unit of area; at most MAX.
+    #[inline]
+    pub fn area_density(&self) -> A::Real {
+        at_most_max(self.area())
+    }
+
+    /// The light's point for a pair of coordinates, as seen from a receiver.
+    #[inline]
+    pub fn sample(&self, receiver: [A::Real; 3], uv: [u32; 2]) -> LightSample<A::Real> {
+        let [x_axis, y_axis, normal] = self.frame.axes();
+        let [x, y] = self.map.sample(uv);
+        let point =
+            along(along(self.centre, x * self.radius, x_axis), y * self.radius, y_axis);
+        let to_light = along(point, -A::Real::ONE, receiver);
+        let square = dot(to_light, to_light);
+        if !(square > A::Real::ZERO && square.finite()) {
+            return LightSample { point, direction: normal, ..LightSample::default() };
+        }
+        let distance = A::sqrt(square);
+        let direction = to_light.map(|component| component / distance);
+        let weight = self.cosine(direction) / square;
+        let density = if weight > A::Real::ZERO {
+            at_most_max(self.area() * weight)
+        } else {
+            A::Real::ZERO
+        };
+        LightSample { point, direction, distance, density, weight }
+    }
+
+    /// The density of a direction from a receiver, per steradian; 0 where it misses the light, and of a light of
+    /// radius 0, which no direction but the sampled ones meets.
+    #[inline]
+    pub fn density(&self, receiver: [A::Real; 3], direction: [A::Real; 3]) -> A::Real {
+        let cosine = self.cosine(direction);
+        let normal = self.frame.axes()[2];
+        let to_centre = along(self.centre, -A::Real::ONE, receiver);
+        let distance = dot(to_centre, normal) / dot(direction, normal);
+        if !(cosine > A::Real::ZERO && distance > A::Real::ZERO) {
+            return A::Real::ZERO;
+        }
+        let from_centre = along(to_centre, -distance, direction);
+        let inside = dot(from_centre, from_centre) < self.radius * self.radius;
+        let density = distance * distance / (self.area() * cosine);
+        if !inside || density.magnitude() <= A::Real::ZERO {
+            A::Real::ZERO
+        } else if density.finite() {
+            density
+        } else {
+            A::Real::MAX
+        }
+    }
+
+    /// cos theta' of a direction toward the light, 0 on a side where it does not shine.
+    #[inline]
+    fn cosine(&self, direction: [A::Real; 3]) -> A::Real {
+        let cosine = -dot(direction, self.frame.axes()[2]);
+        if cosine > A::Real::ZERO {
+            cosine
+        } else if self.two_sided {
+            -cosine
+        } else {
+            A::Real::ZERO
+        }
+    }
+}

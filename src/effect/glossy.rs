@@ -1,0 +1,121 @@
+//! Glossy reflection: a cosine-power lobe about the mirror direction (B. T. Phong, "Illumination for Computer
+//! Generated Pictures", 1975; K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 25).
+//!
+//! At grazing angles a part of the lobe is below the surface; [`BelowHorizon`] says what becomes of it.
+
+use super::{DirectionSample, along};
+use crate::arithmetic::{Arithmetic, Real};
+use crate::error::Error;
+use crate::frame::{Frame, dot};
+use crate::map::{Map, Power};
+
+/// What becomes of a direction below the surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BelowHorizon {
+    /// There is no sample. The mean over those there are is of the lobe's upper part alone, scaled to 1: no energy
+    /// is lost, and the caller counts.
+    Reject,
+    /// It is mirrored in the surface, and adds its density to that of the direction it meets: no energy is lost.
+    Flip,
+    /// Its weight is 0: the energy of the part below is lost.
+    Zero,
+}
+
+/// Directions of density (e + 1) cos^e / (2 pi) about the mirror direction.
+///
+/// ```
+/// use hemidisc::{LibmF32, effect::{BelowHorizon, Glossy}};
+/// let gloss = Glossy::<LibmF32>::new(50.0, BelowHorizon::Flip)?;
+/// let (down, up) = ([0.6, -0.8, 0.0], [0.0, 1.0, 0.0]);
+/// let sample = gloss.sample(down, up, [1 << 31, 1 << 31]).unwrap();
+/// // The middle of the square is the lobe's axis.
+/// assert!((sample.direction[1] - 0.8).abs() < 1e-3);
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Glossy<A: Arithmetic> {
+    lobe: Power<A>,
+    below: BelowHorizon,
+}
+
+impl<A: Arithmetic<Real: Real>> Glossy<A> {
+    /// Reflection of an exponent e > -1: the larger, the nearer to a mirror.
+    ///
+    /// # Errors
+    /// [`Error::Exponent`] for a value that is not a finite number above -1.
+    pub fn new(exponent: A::Parameter, below: BelowHorizon) -> Result<Self, Error> {
+        Ok(Self { lobe: Power::new(exponent)?, below })
+    }
+
+    /// Where light that arrives along a unit vector leaves a surface of a unit normal; none is rejected.
+    ///
+    /// Either side of a surface may be hit: the normal is taken to be on the side that the light comes from.
+    #[inline]
+    pub fn sample(
+        &self,
+        arriving: [A::Real; 3],
+        normal: [A::Real; 3],
+        uv: [u32; 2],
+    ) -> Option<DirectionSample<A::Real>> {
+        let (normal, mirror) = mirrored(arriving, normal);
+        let (local, mut density) = self.lobe.sample_with_density(uv);
+        let mut direction = mirror.to_world(local);
+        let mut weight = A::Real::ONE;
+        let height = dot(direction, normal);
+        match self.below {
+            BelowHorizon::Flip => {
+                let flipped = in_surface(direction, height, normal);
+                density = density + self.lobe.density(mirror.to_local(flipped));
+                if !(density.finite()) {
+                    density = A::Real::MAX;
+                }
+                if height < A::Real::ZERO {
+                    direction = flipped;
+                }
+            }
+            // In the surface nothing is seen either.
+            _ if height > A::Real::ZERO => {}
+            BelowHorizon::Reject => return None,
+            BelowHorizon::Zero => weight = A::Real::ZERO,
+        }
+        Some(DirectionSample { direction, density, weight })
+    }
+
+    /// The density of leaving along a direction, per steradian: of [`Reject`](BelowHorizon::Reject) that before
+    /// the samples below are taken out.
+    #[inline]
+    pub fn density(
+        &self,
+        arriving: [A::Real; 3],
+        normal: [A::Real; 3],
+        direction: [A::Real; 3],
+    ) -> A::Real {
+        let (normal, mirror) = mirrored(arriving, normal);
+        let height = dot(direction, normal);
+        if !(height > A::Real::ZERO) {
+            return A::Real::ZERO;
+        }
+        let density = self.lobe.density(mirror.to_local(direction));
+        if self.below != BelowHorizon::Flip {
+            return density;
+        }
+        let flipped = in_surface(direction, height, normal);
+        let sum = density + self.lobe.density(mirror.to_local(flipped));
+        if sum.finite() { sum } else { A::Real::MAX }
+    }
+}
+
+/// The normal on the side of arrival, and a frame about the mirror direction a - 2 (a n) n.
+#[inline]
+fn mirrored<R: Real>(arriving: [R; 3], normal: [R; 3]) -> ([R; 3], Frame<R>) {
+    let cosine = dot(arriving, normal);
+    let mirror = in_surface(arriving, cosine, normal);
+    let normal = if cosine > R::ZERO { normal.map(|component| -component) } else { normal };
+    (normal, Frame::about(mirror))
+}
+
+/// A vector's image in the surface, of its height above it.
+#[inline]
+fn in_surface<R: Real>(vector: [R; 3], height: R, normal: [R; 3]) -> [R; 3] {
+    along(vector, -(height + height), normal)
+}

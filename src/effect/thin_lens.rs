@@ -1,0 +1,87 @@
+//! A thin lens: depth of field (R. Cook, T. Porter and L. Carpenter, "Distributed Ray Tracing", 1984;
+//! K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 10).
+//!
+//! Rays of one pixel leave the lens anywhere and meet where the ray through its centre is in focus. In camera
+//! space, z ahead, that ray has the direction d = (d_x, d_y, 1); from the lens point (l_x, l_y) it is
+//! d - (l_x, l_y, 0) / f with the focal distance f. A lens of radius 0 gives d to the last bit.
+
+use super::{at_most_max, checked_distance, checked_radius};
+use crate::arithmetic::{Arithmetic, Real};
+use crate::error::Error;
+use crate::map::Map;
+
+/// A lens with an aperture of any map onto the unit disc: [`Concentric`](crate::Concentric) or
+/// [`Polar`](crate::Polar) for a round one, [`Polygon`](crate::disc::Polygon) for one of blades.
+///
+/// ```
+/// use hemidisc::{Concentric, LibmF32, effect::ThinLens};
+/// // 5 mm, focused at 2 m.
+/// let lens = ThinLens::new(Concentric::<LibmF32>::new(), 0.005, 2.0)?;
+/// let ray = lens.ray([0.1, -0.2], [1 << 30, 3 << 30]);
+/// // Two metres ahead all rays of the pixel meet.
+/// assert!((ray.origin[0] + 2.0 * ray.direction[0] - 0.2).abs() < 1e-6);
+/// assert!(ThinLens::new(Concentric::<LibmF32>::new(), -1.0, 2.0).is_err());
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThinLens<M, R> {
+    aperture: M,
+    radius: R,
+    /// 1 / focal distance.
+    nearness: R,
+}
+
+/// A ray from a lens, in camera space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LensRay<R> {
+    /// On the lens, z = 0.
+    pub origin: [R; 3],
+    /// Ahead, with z = 1: not of unit length.
+    pub direction: [R; 3],
+    /// Of the origin, per unit of area; at most MAX.
+    pub density: R,
+    /// 1: a pixel is the mean over its lens.
+    pub weight: R,
+}
+
+impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R>
+where
+    M::Arithmetic: Arithmetic<Real = R>,
+{
+    /// A lens of a radius, 0 for a pinhole, in focus at a distance, which may be infinite.
+    ///
+    /// # Errors
+    /// [`Error::Radius`] for a radius that is not a finite number from 0 on, [`Error::Distance`] for a
+    /// distance that is not above 0.
+    pub fn new(aperture: M, radius: R, focal_distance: R) -> Result<Self, Error> {
+        let radius = checked_radius(radius)?;
+        let nearness = at_most_max(checked_distance(focal_distance)?);
+        Ok(Self { aperture, radius, nearness })
+    }
+
+    /// The point of the lens for a pair of coordinates.
+    #[inline]
+    pub fn sample(&self, uv: [u32; 2]) -> [R; 2] {
+        self.aperture.sample(uv).map(|component| component * self.radius)
+    }
+
+    /// The ray that leaves the lens at the point for a pair of coordinates, of those that meet in focus the ray
+    /// (d_x, d_y, 1) through its centre.
+    #[inline]
+    pub fn ray(&self, [d_x, d_y]: [R; 2], uv: [u32; 2]) -> LensRay<R> {
+        let unit = self.aperture.sample(uv);
+        let [x, y] = unit.map(|component| component * self.radius);
+        LensRay {
+            origin: [x, y, R::ZERO],
+            direction: [d_x - x * self.nearness, d_y - y * self.nearness, R::ONE],
+            density: at_most_max(self.radius * self.radius / self.aperture.density(unit)),
+            weight: R::ONE,
+        }
+    }
+
+    /// Radius of the blur, at a distance ahead, of a point in focus there: r |1 - distance / f|.
+    #[inline]
+    pub fn circle_of_confusion(&self, distance: R) -> R {
+        self.radius * (R::ONE - distance * self.nearness).magnitude()
+    }
+}

@@ -1,0 +1,116 @@
+//! A regular polygon in the unit disc: the aperture of a lens with N blades.
+//!
+//! u chooses one of N triangles about the centre, and the rest of u and v a point of it, by E. Heitz, "A
+//! Low-Distortion Map Between Triangle and Square", 2019: no square root, and neighbours stay neighbours.
+
+use super::Polar;
+use crate::arithmetic::{Arithmetic, Real};
+use crate::map::Map;
+
+/// The unit square onto a regular polygon of N corners on the unit circle; area ratios are kept.
+///
+/// The blade is floor(u N). A polygon of fewer than 3 corners does not compile.
+///
+/// ```
+/// use hemidisc::{LibmF32, Map, disc::Polygon};
+/// // A hexagon with a corner up.
+/// let blades = Polygon::<LibmF32, 6>::new(1 << 30);
+/// let [x, y] = blades.sample([1 << 31, 1 << 30]);
+/// assert!(x * x + y * y < 1.0);
+/// assert!((1.0 / blades.density([x, y]) - 2.598).abs() < 1e-3);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Polygon<A: Arithmetic, const N: usize> {
+    corners: [[A::Real; 2]; N],
+    /// 1 / area.
+    density: A::Real,
+}
+
+impl<A: Arithmetic<Real: Real>, const N: usize> Polygon<A, N> {
+    const AT_LEAST_3: () = assert!(N >= 3, "a polygon has at least 3 corners");
+
+    /// A polygon with a corner at an angle, in 2^-32 turns from the x axis.
+    pub fn new(rotation: u32) -> Self {
+        let () = Self::AT_LEAST_3;
+        let corners: [_; N] = core::array::from_fn(|corner| {
+            let turn = (((corner as u64) << 32) / N as u64) as u32;
+            Polar::<A>::new().sample([turn.wrapping_add(rotation), u32::MAX])
+        });
+        let blades = corners.iter().zip(corners.iter().cycle().skip(1));
+        let twice = blades.fold(A::Real::ZERO, |sum, (a, b)| sum + cross(*a, *b));
+        Self { corners, density: A::Real::TWO / twice }
+    }
+
+    /// The corners of a blade, counterclockwise.
+    #[inline]
+    fn blade(&self, blade: usize) -> [[A::Real; 2]; 2] {
+        let corner = |n: usize| self.corners.get(n).or(self.corners.first()).copied();
+        [blade, blade + 1].map(|n| corner(n).unwrap_or_default())
+    }
+
+    /// The shares of the two corners at a point of a blade.
+    #[inline]
+    fn shares(&self, blade: usize, point: [A::Real; 2]) -> [A::Real; 2] {
+        let [a, b] = self.blade(blade);
+        let whole = cross(a, b);
+        [cross(point, b) / whole, cross(a, point) / whole]
+    }
+
+    /// The blade in which a point is least outside, and the shares of its corners.
+    fn found(&self, point: [A::Real; 2]) -> (usize, [A::Real; 2]) {
+        let mut best = (0, self.shares(0, point));
+        for blade in 1..N {
+            let shares = self.shares(blade, point);
+            let least = |[a, b]: [A::Real; 2]| if a < b { a } else { b };
+            if least(shares) > least(best.1) {
+                best = (blade, shares);
+            }
+        }
+        best
+    }
+}
+
+#[inline]
+fn cross<R: Real>(a: [R; 2], b: [R; 2]) -> R {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+impl<A: Arithmetic<Real: Real>, const N: usize> Map for Polygon<A, N> {
+    type Arithmetic = A;
+    type Point = [A::Real; 2];
+
+    #[inline]
+    fn sample(&self, [u, v]: [u32; 2]) -> [A::Real; 2] {
+        let wide = u64::from(u) * N as u64;
+        let [a, b] = self.blade((wide >> 32) as usize);
+        let [s, t] = A::square([wide as u32, v]);
+        let (s, t) = if t > s {
+            let s = s * A::Real::HALF;
+            (s, t - s)
+        } else {
+            let t = t * A::Real::HALF;
+            (s - t, t)
+        };
+        [a[0] * s + b[0] * t, a[1] * s + b[1] * t]
+    }
+
+    /// 1 / area inside, 0 outside.
+    #[inline]
+    fn density(&self, point: [A::Real; 2]) -> A::Real {
+        let (_, [s, t]) = self.found(point);
+        let slack = A::Real::EPSILON * A::Real::FOUR;
+        if s >= -slack && t >= -slack && s + t <= A::Real::ONE + slack {
+            self.density
+        } else {
+            A::Real::ZERO
+        }
+    }
+
+    #[inline]
+    fn invert(&self, point: [A::Real; 2]) -> [u32; 2] {
+        let (blade, [s, t]) = self.found(point);
+        let (s, t) = if t > s { (s + s, t + s) } else { (s + t, t + t) };
+        let [u, v] = [s, t].map(|x| x.cell(32));
+        [(((blade as u64) << 32 | u64::from(u)) / N as u64) as u32, v]
+    }
+}
