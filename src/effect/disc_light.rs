@@ -1,12 +1,10 @@
 //! A disc light: soft shadows (K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 18).
 //!
 //! A point of the disc, uniform over its area A, is seen from a receiver at a distance d and under the angle
-//! theta' to the disc's normal. Its density per steradian is d^2 / (A cos theta'), and
-//!
-//!     irradiance = mean of radiance A cos theta cos theta' / d^2 where nothing is in the way
-//!
-//! with the receiver's own cos theta. The weight is cos theta' / d^2, so radiance A, the light's intensity
-//! along its axis, stays finite for a light of radius 0, which is a point.
+//! t to the disc's normal, which the receiver sees under s to its own. The point's density per steradian is
+//! d^2 / (A cos t), and irradiance is the mean of radiance A cos s cos t / d^2 where nothing is in the way.
+//! The weight is cos t / d^2: radiance A, the light's intensity along its axis, stays finite for a light of
+//! radius 0, which is a point.
 
 use super::{along, at_most_max, checked_radius};
 use crate::arithmetic::{Arithmetic, Real, Root};
@@ -46,7 +44,7 @@ pub struct LightSample<R> {
     pub distance: R,
     /// Per steradian about the receiver, at most MAX; 0 where no light goes.
     pub density: R,
-    /// cos theta' / d^2: times the intensity along the axis and the receiver's cos theta it is irradiance.
+    /// cos t / d^2: times the intensity along the axis and the receiver's cosine it is irradiance.
     pub weight: R,
 }
 
@@ -86,8 +84,7 @@ impl<A: Root> DiscLight<A> {
     pub fn sample(&self, receiver: [A::Real; 3], uv: [u32; 2]) -> LightSample<A::Real> {
         let [x_axis, y_axis, normal] = self.frame.axes();
         let [x, y] = self.map.sample(uv);
-        let point =
-            along(along(self.centre, x * self.radius, x_axis), y * self.radius, y_axis);
+        let point = along(along(self.centre, x * self.radius, x_axis), y * self.radius, y_axis);
         let to_light = along(point, -A::Real::ONE, receiver);
         let square = dot(to_light, to_light);
         if !(square > A::Real::ZERO && square.finite()) {
@@ -96,11 +93,8 @@ impl<A: Root> DiscLight<A> {
         let distance = A::sqrt(square);
         let direction = to_light.map(|component| component / distance);
         let weight = self.cosine(direction) / square;
-        let density = if weight > A::Real::ZERO {
-            at_most_max(self.area() * weight)
-        } else {
-            A::Real::ZERO
-        };
+        let density =
+            if weight > A::Real::ZERO { at_most_max(self.area() * weight) } else { A::Real::ZERO };
         LightSample { point, direction, distance, density, weight }
     }
 
@@ -127,7 +121,7 @@ impl<A: Root> DiscLight<A> {
         }
     }
 
-    /// cos theta' of a direction toward the light, 0 on a side where it does not shine.
+    /// cos t of a direction toward the light, 0 on a side where it does not shine.
     #[inline]
     fn cosine(&self, direction: [A::Real; 3]) -> A::Real {
         let cosine = -dot(direction, self.frame.axes()[2]);

@@ -65,10 +65,7 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
         match self.below {
             BelowHorizon::Flip => {
                 let flipped = in_surface(direction, height, normal);
-                density = density + self.lobe.density(mirror.to_local(flipped));
-                if !(density.finite()) {
-                    density = A::Real::MAX;
-                }
+                density = sum(density, self.lobe.density(mirror.to_local(flipped)));
                 if height < A::Real::ZERO {
                     direction = flipped;
                 }
@@ -92,17 +89,23 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
     ) -> A::Real {
         let (normal, mirror) = mirrored(arriving, normal);
         let height = dot(direction, normal);
-        if !(height > A::Real::ZERO) {
-            return A::Real::ZERO;
+        let of = |direction| self.lobe.density(mirror.to_local(direction));
+        if height > A::Real::ZERO {
+            match self.below {
+                BelowHorizon::Flip => sum(of(direction), of(in_surface(direction, height, normal))),
+                BelowHorizon::Reject | BelowHorizon::Zero => of(direction),
+            }
+        } else {
+            A::Real::ZERO
         }
-        let density = self.lobe.density(mirror.to_local(direction));
-        if self.below != BelowHorizon::Flip {
-            return density;
-        }
-        let flipped = in_surface(direction, height, normal);
-        let sum = density + self.lobe.density(mirror.to_local(flipped));
-        if sum.finite() { sum } else { A::Real::MAX }
     }
+}
+
+/// Of densities, at most MAX.
+#[inline]
+fn sum<R: Real>(a: R, b: R) -> R {
+    let sum = a + b;
+    if sum.finite() { sum } else { R::MAX }
 }
 
 /// The normal on the side of arrival, and a frame about the mirror direction a - 2 (a n) n.
