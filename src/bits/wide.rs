@@ -7,10 +7,6 @@
 /// Whether the core multiplies 32 x 32 bits to 32 alone; such a core does not divide either.
 pub(crate) const HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
-/// Whether the core counts leading zeros in one instruction.
-pub(crate) const COUNTS_ZEROS: bool =
-    !HALVES && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
-
 /// a b.
 #[inline(always)]
 pub(crate) const fn product(a: u32, b: u32) -> u64 {

@@ -2,9 +2,11 @@
 //!
 //! The unsigned ones of 32 bits are `bits::wide`'s, which says why there are forms by halves.
 
-pub(in crate::arithmetic) use crate::bits::wide::{
-    COUNTS_ZEROS, HALVES, high, high_by_halves, product,
-};
+pub(in crate::arithmetic) use crate::bits::wide::{HALVES, high, high_by_halves, product};
+
+/// Whether the core counts leading zeros in one instruction.
+pub(in crate::arithmetic) const COUNTS_ZEROS: bool =
+    !HALVES && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
 
 /// floor(a b / 2^32); |a| is below 2^31 - 2^16.
 #[inline(always)]
