@@ -9,7 +9,7 @@ use crate::map::Map;
 
 /// The unit square onto a regular polygon of N corners on the unit circle; area ratios are kept.
 ///
-/// The blade is floor(u N). A polygon of fewer than 3 corners does not compile.
+/// The corners are the polar map's outermost points, 6e-11 short of the circle. The blade is floor(u N). A polygon of fewer than 3 corners does not compile.
 ///
 /// ```
 /// use hemidisc::{LibmF32, Map, disc::Polygon};

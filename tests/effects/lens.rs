@@ -1,0 +1,81 @@
+//! The thin lens.
+
+use super::{COUNT, Float, assert_near, each_float, wide};
+use hemidisc::arithmetic::Real;
+use hemidisc::disc::Polygon;
+use hemidisc::effect::ThinLens;
+use hemidisc::sequence::{Sequence, SobolOwen};
+use hemidisc::{Concentric, Error};
+
+/// All rays of a pixel meet in focus; elsewhere they fill the circle of confusion, and no more.
+fn the_blur_is_the_circle_of_confusion<A: Float>() {
+    let (radius, focus) = (0.25, 2.0);
+    let lens = ThinLens::new(Concentric::<A>::new(), A::real(radius), A::real(focus)).unwrap();
+    for distance in [0.5, 1.0, 2.0, 3.0, 10.0] {
+        let expected: f64 = lens.circle_of_confusion(A::real(distance)).into();
+        assert_near(expected, radius * f64::abs(1.0 - distance / focus), A::EPS, "radius");
+        let mut widest = 0.0_f64;
+        for i in 0..COUNT {
+            let ray = lens.ray([A::real(0.5), A::real(-0.25)], SobolOwen::new(1).point(i));
+            let ([o_x, o_y, o_z], [x, y, z]) = (wide(ray.origin), wide(ray.direction));
+            assert_eq!((o_z, z), (0.0, 1.0));
+            let blur = (o_x + distance * (x - 0.5), o_y + distance * (y + 0.25));
+            widest = widest.max(blur.0.hypot(blur.1));
+        }
+        // 1 in 4096 points is within half of 1/4096 of the rim.
+        let room = expected * 1e-3 + 4.0 * A::EPS;
+        assert!(
+            widest <= expected + 4.0 * A::EPS && widest >= expected - room,
+            "{distance}: {widest}"
+        );
+    }
+}
+
+/// A lens of radius 0 is a pinhole to the last bit, whatever the aperture; so is one in focus at infinity but for
+/// where its rays begin.
+fn a_pinhole_is_exact<A: Float>() {
+    let ahead = [A::real(0.3), A::real(-0.7)];
+    let round = ThinLens::new(Concentric::<A>::new(), A::Real::ZERO, A::real(2.0)).unwrap();
+    let blades = ThinLens::new(Polygon::<A, 5>::new(7), A::Real::ZERO, A::real(2.0)).unwrap();
+    let far = A::real(f64::INFINITY);
+    let parallel = ThinLens::new(Concentric::<A>::new(), A::Real::ONE, far).unwrap();
+    for i in 0..100 {
+        let uv = SobolOwen::new(2).point(i);
+        for ray in [round.ray(ahead, uv), blades.ray(ahead, uv)] {
+            assert_eq!(ray.origin, [A::Real::ZERO; 3]);
+            assert_eq!(ray.direction, [ahead[0], ahead[1], A::Real::ONE]);
+            assert!(ray.density.into() > 1e30 && ray.density.into().is_finite());
+        }
+        assert_eq!(parallel.ray(ahead, uv).direction, [ahead[0], ahead[1], A::Real::ONE]);
+    }
+}
+
+/// Densities are 1 / (pi r^2) and that of a polygon, 2 / (n sin(2 pi / n) r^2).
+fn densities_are_of_the_aperture<A: Float>() {
+    let (radius, focus) = (A::real(0.5), A::real(1.0));
+    let uv = [1 << 30, 3 << 29];
+    let round = ThinLens::new(Concentric::<A>::new(), radius, focus).unwrap();
+    let blades = ThinLens::new(Polygon::<A, 6>::new(0), radius, focus).unwrap();
+    let expected = 4.0 / core::f64::consts::PI;
+    assert_near(round.ray([focus; 2], uv).density.into(), expected, A::EPS, "round");
+    let expected = 4.0 * 2.0 / (6.0 * f64::to_radians(60.0).sin());
+    assert_near(
+        blades.ray([focus; 2], uv).density.into(),
+        expected,
+        3e-10 + 4.0 * A::EPS,
+        "blades",
+    );
+}
+
+fn bad_lenses_are_refused<A: Float>() {
+    let lens =
+        |radius, focus| ThinLens::new(Concentric::<A>::new(), A::real(radius), A::real(focus));
+    for radius in [-1.0, f64::NAN, f64::INFINITY] {
+        assert!(matches!(lens(radius, 1.0), Err(Error::Radius { .. })), "{radius}");
+    }
+    for focus in [0.0, -1.0, f64::NAN] {
+        assert!(matches!(lens(1.0, focus), Err(Error::Distance { .. })), "{focus}");
+    }
+}
+
+each_float!(the_blur_is_the_circle_of_confusion a_pinhole_is_exact densities_are_of_the_aperture bad_lenses_are_refused);

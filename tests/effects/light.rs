@@ -1,0 +1,121 @@
+//! The disc light.
+
+use super::{Float, assert_near, dot, each_float, even_mean, mean, wide};
+use hemidisc::arithmetic::Real;
+use hemidisc::effect::DiscLight;
+use hemidisc::sequence::{Random, Sequence, SobolOwen};
+use hemidisc::{Error, Frame, LibmF64, Map, Uniform};
+use std::f64::consts::{PI, TAU};
+
+/// A light of a radius at (0, 0, height) that shines down.
+fn lamp<A: Float>(height: f64, radius: f64) -> DiscLight<A> {
+    let down = Frame::new(A::vector([0.0, 0.0, -1.0])).unwrap();
+    DiscLight::new(A::vector([0.0, 0.0, height]), down, A::real(radius)).unwrap()
+}
+
+/// Irradiance of radiance 1 on a receiver at (offset, 0, 0) that faces up.
+fn irradiance<A: Float>(light: &DiscLight<A>, offset: f64, uv: [u32; 2]) -> f64 {
+    let sample = light.sample(A::vector([offset, 0.0, 0.0]), uv);
+    let cosine: f64 = sample.direction[2].into();
+    sample.weight.into() * light.area().into() * cosine.max(0.0)
+}
+
+/// On a parallel receiver at an offset a from the axis: pi/2 (1 - (a^2 + h^2 - r^2) / sqrt((a^2 + h^2 + r^2)^2 -
+/// 4 a^2 r^2)), which on the axis is pi r^2 / (h^2 + r^2).
+fn irradiance_is_that_of_the_closed_form<A: Float>() {
+    for (offset, height, radius) in
+        [(0.0, 1.0, 0.5), (0.0, 10.0, 1.0), (0.0, 0.25, 1.0), (1.0, 1.0, 0.5), (2.0, 0.5, 1.0_f64)]
+    {
+        let square = offset * offset + height * height;
+        let sum = square + radius * radius;
+        let root = (sum * sum - 4.0 * offset * offset * radius * radius).sqrt();
+        let exact = PI / 2.0 * (1.0 - (square - radius * radius) / root);
+        let light = lamp::<A>(height, radius);
+        let found = even_mean(|uv| irradiance(&light, offset, uv));
+        assert_near(found / exact, 1.0, 2e-3 + 4.0 * A::EPS, "even");
+        let [found, error] = mean(Random::new(3), |uv| irradiance(&light, offset, uv));
+        assert_near(found, exact, 4.0 * error + 4.0 * A::EPS * exact, "random");
+    }
+}
+
+/// Each sample's density is that of its direction, and all directions together have 1.
+fn densities_are_per_steradian<A: Float>() {
+    let light = lamp::<A>(1.0, 0.8);
+    let receiver = A::vector([0.5, 0.25, 0.0]);
+    for i in 0..1000 {
+        let sample = light.sample(receiver, SobolOwen::new(8).point(i));
+        let [found, exact]: [f64; 2] =
+            wide([light.density(receiver, sample.direction), sample.density]);
+        // At the rim rounding decides whether a direction meets the light.
+        let [x, y, _]: [f64; 3] = wide(sample.point);
+        if x.hypot(y) < 0.8 * (1.0 - 4.0 * A::EPS) {
+            assert_near(found / exact, 1.0, 40.0 * A::EPS, "density");
+        }
+    }
+    let sky = Uniform::<LibmF64>::new();
+    let whole = even_mean(|uv| light.density(receiver, A::vector(sky.sample(uv))).into() * TAU);
+    assert_near(whole, 1.0, 0.02, "integral");
+    assert_near(light.area_density().into(), 1.0 / (PI * 0.64), A::EPS, "area");
+}
+
+/// One side only, or both: never in its plane, never a number that is none.
+fn no_light_where_none_goes<A: Float>() {
+    let one_sided = lamp::<A>(1.0, 0.5);
+    let both = one_sided.two_sided();
+    let uvs = [[0, 0], [1 << 31, 1 << 31], [u32::MAX, 7], [123_456_789, 987_654_321]];
+    for uv in uvs {
+        for [x, y, z, lit_by_both] in [
+            [0.0, 0.0, 2.0, 1.0],
+            [5.0, 1.0, 1.5, 1.0],
+            [3.0, 0.0, 1.0, 0.0],
+            [0.25, 0.0, 1.0, 0.0],
+        ] {
+            let receiver = A::vector([x, y, z]);
+            for (light, lit) in [(&one_sided, 0.0), (&both, lit_by_both)] {
+                let sample = light.sample(receiver, uv);
+                let [weight, density]: [f64; 2] = wide([sample.weight, sample.density]);
+                assert_eq!((weight > 0.0, density > 0.0), (lit > 0.0, lit > 0.0), "{x} {y} {z}");
+                let direction: [f64; 3] = wide(sample.direction);
+                assert_near(dot(direction, direction), 1.0, 8.0 * A::EPS, "length");
+                let again: f64 = light.density(receiver, sample.direction).into();
+                assert!(again.is_finite() && (again == 0.0 || lit > 0.0), "{again}");
+            }
+        }
+        // At the very point, and too far for the number type.
+        let point = both.sample(A::vector([0.0; 3]), uv).point;
+        let far = [A::Real::MAX, A::Real::MAX, A::Real::ZERO];
+        for receiver in [point, far] {
+            let sample = both.sample(receiver, uv);
+            assert_eq!(wide([sample.weight, sample.density]), [0.0; 2]);
+            assert!(wide(sample.direction).into_iter().all(f64::is_finite));
+        }
+    }
+}
+
+/// A light of radius 0 is a point: cos / d^2, whatever the coordinates, and no direction meets it.
+fn a_point_light_is_exact<A: Float>() {
+    let light = lamp::<A>(2.0, 0.0);
+    let receiver = A::vector([1.5, 0.0, 0.0]);
+    let first = light.sample(receiver, [0, 0]);
+    assert_near(first.distance.into(), 2.5, 3.0 * A::EPS, "distance");
+    assert_near(first.weight.into(), 0.8 / 6.25, A::EPS, "weight");
+    assert!(first.density.into() > 1e30 && first.density.into().is_finite());
+    for i in 0..100 {
+        assert_eq!(light.sample(receiver, SobolOwen::new(9).point(i)), first);
+    }
+    assert_eq!(light.density(receiver, first.direction).into(), 0.0);
+    assert_eq!(light.area().into(), 0.0);
+}
+
+fn a_bad_radius_is_refused<A: Float>() {
+    let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
+    for radius in [-0.5, f64::NAN, f64::INFINITY] {
+        let found = DiscLight::<A>::new(A::vector([0.0; 3]), up, A::real(radius));
+        assert!(matches!(found, Err(Error::Radius { .. })), "{radius}");
+    }
+}
+
+each_float!(
+    irradiance_is_that_of_the_closed_form densities_are_per_steradian no_light_where_none_goes
+    a_point_light_is_exact a_bad_radius_is_refused
+);
