@@ -17,11 +17,13 @@
 mod ambient_occlusion;
 mod disc_light;
 mod glossy;
+mod polygon;
 mod thin_lens;
 
 pub use ambient_occlusion::AmbientOcclusion;
 pub use disc_light::{DiscLight, LightSample};
 pub use glossy::{BelowHorizon, Glossy};
+pub use polygon::Polygon;
 pub use thin_lens::{LensRay, ThinLens};
 
 use crate::arithmetic::Real;

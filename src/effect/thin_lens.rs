@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::map::Map;
 
 /// A lens with an aperture of any map onto the unit disc: [`Concentric`](crate::Concentric) or
-/// [`Polar`](crate::Polar) for a round one, [`Polygon`](crate::disc::Polygon) for one of blades.
+/// [`Polar`](crate::Polar) for a round one, [`Polygon`](super::Polygon) for one of blades.
 ///
 /// ```
 /// use hemidisc::{Concentric, LibmF32, effect::ThinLens};

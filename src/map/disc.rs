@@ -2,12 +2,10 @@
 
 mod concentric;
 mod polar;
-mod polygon;
 mod rejection;
 
 pub use concentric::Concentric;
 pub use polar::Polar;
-pub use polygon::Polygon;
 pub use rejection::Rejection;
 
 use super::Map;

@@ -2,8 +2,7 @@
 
 use super::{COUNT, Float, assert_near, each_float, wide};
 use hemidisc::arithmetic::Real;
-use hemidisc::disc::Polygon;
-use hemidisc::effect::ThinLens;
+use hemidisc::effect::{Polygon, ThinLens};
 use hemidisc::sequence::{Sequence, SobolOwen};
 use hemidisc::{Concentric, Error};
 

@@ -2,7 +2,7 @@
 
 use super::{COUNT, Float, assert_near, each_float, wide};
 use hemidisc::Map;
-use hemidisc::disc::Polygon;
+use hemidisc::effect::Polygon;
 use hemidisc::sequence::{Sequence, SobolOwen};
 use std::f64::consts::{PI, TAU};
 

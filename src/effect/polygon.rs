@@ -3,16 +3,15 @@
 //! u chooses one of N triangles about the centre, and the rest of u and v a point of it, by E. Heitz, "A
 //! Low-Distortion Map Between Triangle and Square", 2019: no square root, and neighbours stay neighbours.
 
-use super::Polar;
 use crate::arithmetic::{Arithmetic, Real};
-use crate::map::Map;
+use crate::map::{Map, Polar};
 
 /// The unit square onto a regular polygon of N corners on the unit circle; area ratios are kept.
 ///
 /// The corners are the polar map's outermost points, 6e-11 short of the circle. The blade is floor(u N). A polygon of fewer than 3 corners does not compile.
 ///
 /// ```
-/// use hemidisc::{LibmF32, Map, disc::Polygon};
+/// use hemidisc::{LibmF32, Map, effect::Polygon};
 /// // A hexagon with a corner up.
 /// let blades = Polygon::<LibmF32, 6>::new(1 << 30);
 /// let [x, y] = blades.sample([1 << 31, 1 << 30]);
