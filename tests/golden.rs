@@ -10,6 +10,9 @@
 
 #[macro_use]
 mod arithmetics;
+#[cfg(feature = "micromath")]
+#[path = "golden/effects.rs"]
+mod effects;
 #[path = "golden/lines.rs"]
 mod lines;
 
@@ -42,6 +45,19 @@ fn domains_are_as_recorded() {
     let mut text = String::new();
     lines::domains(&mut |line| writeln!(text, "{line}").unwrap()).unwrap();
     compare("domain.txt", &text);
+}
+
+#[cfg(feature = "micromath")]
+#[test]
+fn effects_are_as_recorded() {
+    use hemidisc::{FastF32, LibmF32, LibmF64, MicromathF32};
+    let mut text = format!("# libm {}, micromath {}\n", locked("libm"), locked("micromath"));
+    let mut line = |line: std::fmt::Arguments| writeln!(text, "{line}").unwrap();
+    effects::effects::<FastF32>(&mut line).unwrap();
+    effects::effects::<MicromathF32>(&mut line).unwrap();
+    effects::effects::<LibmF32>(&mut line).unwrap();
+    effects::effects::<LibmF64>(&mut line).unwrap();
+    compare("effects.txt", &text);
 }
 
 /// The version of a dependency that the lock file pins.

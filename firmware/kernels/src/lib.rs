@@ -8,11 +8,13 @@
 //! | `map/MAP/DISC/ARITHMETIC` | points of stored coordinates |
 //! | `fused/SEQUENCE/MAP/DISC/ARITHMETIC` | points of a sequence |
 //! | `sequence/NAME` | coordinates |
+//! | `effect/EFFECT/ARITHMETIC` | samples of an effect, of stored coordinates |
 //! | `exponent/ARITHMETIC` | no fill: what prepares an exponent, once, before a power lobe is filled |
 //! | `peer/MAP/DISC/PEER` | the same points by other formulas and crates, of stored coordinates |
 //! | `loop/empty`, `loop/copy` | the loop alone; the loop with its loads and stores |
 #![no_std]
 
+mod effects;
 mod loops;
 mod maps;
 mod peers;
@@ -37,5 +39,6 @@ pub fn every(visitor: &mut impl Visitor) {
     sequences::every(visitor);
     maps::every(visitor);
     maps::fused(visitor);
+    effects::every(visitor);
     peers::every(visitor);
 }

@@ -39,7 +39,8 @@ pub fn compare(core: &Core, printed: &str) -> Result<Files> {
         files.lines += digests.len();
         files.names.insert(name.to_owned());
     }
-    let expected = ["square", "domain"].into_iter().chain(hemidisc::catalogue::ARITHMETICS);
+    let expected =
+        ["square", "domain", "effects"].into_iter().chain(hemidisc::catalogue::ARITHMETICS);
     for name in expected {
         ensure!(files.names.contains(name), "{} gives no digests of {name}", core.name);
     }

@@ -17,12 +17,14 @@ const COUNT: f64 = 256.0;
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Record {
     pub core: &'static str,
-    /// `map`, `sequence`, `fused`, `peer`, `loop` or `exponent`.
+    /// `map`, `sequence`, `fused`, `effect`, `peer`, `loop` or `exponent`.
     pub kind: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sequence: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub effect: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub disc: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -63,6 +65,9 @@ impl Record {
                 (record.map, record.disc, record.arithmetic) =
                     (own(map), own(disc), own(arithmetic));
             }
+            [effect, arithmetic] if parts[0] == "effect" => {
+                (record.effect, record.arithmetic) = (own(effect), own(arithmetic));
+            }
             [sequence, map, disc, arithmetic] if parts[0] == "fused" => {
                 record.sequence = own(sequence);
                 (record.map, record.disc, record.arithmetic) =
@@ -74,7 +79,10 @@ impl Record {
             _ => bail!("not the path of a fill: {}", count.path),
         }
         let arithmetic = record.arithmetic.as_deref().filter(|name| ARITHMETICS.contains(name));
-        let file = arithmetic.or(record.sequence.as_ref().map(|_| "square"));
+        let file = match parts[0] {
+            "effect" => Some("effects"),
+            _ => arithmetic.or(record.sequence.as_ref().map(|_| "square")),
+        };
         record.digest_ok = file.map(|name| files.names.contains(name));
         if record.peer.is_none() {
             let arithmetic = record.arithmetic.as_deref();
@@ -127,6 +135,8 @@ impl Report {
             };
             ensure!(self.records.iter().any(has), "the sequence {name} is not counted");
         }
+        let effects = self.records.iter().filter(|record| record.kind == "effect").count();
+        ensure!(effects == 5 * 3 * 4, "{effects} of 60 effects are counted");
         for name in ARITHMETICS {
             let has = |record: &&Record| {
                 record.kind == "map" && record.arithmetic.as_deref() == Some(name)

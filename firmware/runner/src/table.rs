@@ -9,7 +9,14 @@ use std::path::Path;
 
 /// A fill's name: what all cores have in common.
 fn name(record: &Record) -> String {
-    let parts = [&record.sequence, &record.map, &record.disc, &record.arithmetic, &record.peer];
+    let parts = [
+        &record.sequence,
+        &record.map,
+        &record.effect,
+        &record.disc,
+        &record.arithmetic,
+        &record.peer,
+    ];
     let known = parts.into_iter().flatten().filter(|part| *part != "-");
     let name = known.map(String::as_str).collect::<Vec<_>>().join(" ");
     if record.peer.is_some() { format!("*{name}*") } else { name }
@@ -64,7 +71,7 @@ fn compiler_line(report: &Report) -> String {
 
 /// All of it.
 pub fn whole(report: &Report) -> String {
-    let kinds = ["map", "fused", "sequence", "exponent", "peer", "loop"];
+    let kinds = ["map", "fused", "sequence", "effect", "exponent", "peer", "loop"];
     let tables = kinds.into_iter().map(|kind| of_kind(report, kind).unwrap_or_default());
     let mut text = compiler_line(report) + &tables.collect::<Vec<_>>().join("\n");
     text += "\n| lens example | flash, bytes | RAM without stack, bytes |\n| --- | ---: | ---: |\n";

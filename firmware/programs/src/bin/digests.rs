@@ -2,6 +2,8 @@
 #![no_std]
 #![no_main]
 
+#[path = "../../../../tests/golden/effects.rs"]
+mod effects;
 #[path = "../../../../tests/golden/lines.rs"]
 mod lines;
 
@@ -26,7 +28,13 @@ fn files() -> Result<(), Error> {
     file::<FastF32>()?;
     file::<MicromathF32>()?;
     file::<LibmF32>()?;
-    file::<LibmF64>()
+    file::<LibmF64>()?;
+    println!("file effects");
+    let mut line = |line: core::fmt::Arguments| println!("{line}");
+    effects::effects::<FastF32>(&mut line)?;
+    effects::effects::<MicromathF32>(&mut line)?;
+    effects::effects::<LibmF32>(&mut line)?;
+    effects::effects::<LibmF64>(&mut line)
 }
 
 #[board::entry]
