@@ -41,14 +41,19 @@ impl SobolOwen {
     /// The point of any index.
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
-        self.at_shuffled(shuffle(index, self.order))
+        self.scrambled(self.reversed(index))
     }
 
-    /// The point of a shuffled index.
+    /// The reversed coordinates of the Sobol point of a shuffled index: the index, and Pascal's matrix on it.
     #[inline(always)]
-    const fn at_shuffled(self, u: u32) -> [u32; 2] {
-        // The reversed coordinates of the point are the shuffled index and Pascal's matrix on it.
-        let v = pascal_reversed(u);
+    const fn reversed(self, index: u32) -> [u32; 2] {
+        let u = shuffle(index, self.order);
+        [u, pascal_reversed(u)]
+    }
+
+    /// The point of reversed coordinates.
+    #[inline(always)]
+    const fn scrambled(self, [u, v]: [u32; 2]) -> [u32; 2] {
         [
             scramble_reversed(u, self.axes[0]).reverse_bits(),
             scramble_reversed(v, self.axes[1]).reverse_bits(),
@@ -72,16 +77,17 @@ impl Sequence for SobolOwen {
         self.at(index)
     }
 
-    /// Pairs stay pairs, so an odd index is shuffled to what the even one before it is, with the last bit changed.
+    /// Pairs stay pairs, so an odd index is shuffled to what the even one before it is, with the last bit changed;
+    /// and so are the coordinates, for Pascal's matrix takes the last bit to itself alone.
     #[inline(always)]
     fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
         let (sequence, mut index) = (*self, start);
-        let mut even = shuffle(start & !1, sequence.order);
+        let mut even = sequence.reversed(start & !1);
         core::iter::repeat_with(move || {
             if index & 1 == 0 {
-                even = shuffle(index, sequence.order);
+                even = sequence.reversed(index);
             }
-            let point = sequence.at_shuffled(even ^ index & 1);
+            let point = sequence.scrambled(even.map(|axis| axis ^ index & 1));
             index = index.wrapping_add(1);
             point
         })
