@@ -67,11 +67,11 @@ pub const CONTRACTS: [Contract; 28] = [
     Contract { arithmetic: "q15",     map: "disc",    unit: LSB15, relative: false, position: 2.5, norm: 3.25, theta: 0.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 3.0 },
     Contract { arithmetic: "q15",     map: "uniform", unit: LSB15, relative: false, position: 3.5, norm: 4.5, theta: 3.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 5.0 },
     Contract { arithmetic: "q15",     map: "cosine",  unit: LSB15, relative: false, position: 2.5, norm: 3.25, theta: 2.5, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 3.5 },
-    Contract { arithmetic: "q15",     map: "power",   unit: LSB15, relative: false, position: 4.75, norm: 4.5, theta: 4.0, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 8.0 },
+    Contract { arithmetic: "q15",     map: "power",   unit: LSB15, relative: false, position: 4.75, norm: 4.75, theta: 4.0, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 8.0 },
     Contract { arithmetic: "q15-div", map: "disc",    unit: LSB15, relative: false, position: 2.5, norm: 3.25, theta: 0.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 3.0 },
     Contract { arithmetic: "q15-div", map: "uniform", unit: LSB15, relative: false, position: 3.5, norm: 4.5, theta: 3.0, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 6.0 },
     Contract { arithmetic: "q15-div", map: "cosine",  unit: LSB15, relative: false, position: 2.5, norm: 3.25, theta: 2.5, z: [0.0, 0.0], density: [1.25, 0.0], inverse: 4.0 },
-    Contract { arithmetic: "q15-div", map: "power",   unit: LSB15, relative: false, position: 4.75, norm: 4.5, theta: 4.0, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 8.5 },
+    Contract { arithmetic: "q15-div", map: "power",   unit: LSB15, relative: false, position: 4.75, norm: 4.75, theta: 4.0, z: [0.0, 0.0], density: [3.0, 1.0], inverse: 8.5 },
 ];
 
 /// The contract of a map in an arithmetic, by their names.
