@@ -84,7 +84,7 @@ pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static
     /// An exponent as the user gives it.
     type Parameter: Copy + Debug + FromStr<Err: Display>;
     /// A checked exponent with what its kernels need prepared.
-    type Exponent: Copy + Debug + PartialEq;
+    type Exponent: Copy + Debug + PartialEq + Send + Sync + 'static;
 
     /// The unit square itself, each component in [0, 1), rounded toward zero.
     fn square(uv: [u32; 2]) -> [Self::Real; 2];

@@ -1,0 +1,170 @@
+//! A renderer of a scene, an arithmetic and the effects called for.
+//!
+//! Every effect doubles the number of types of renderer: each function below settles one and calls the next.
+
+use crate::description::{self as scene, Aperture, Scene};
+use crate::effects::{Effect, Effects};
+use crate::frame::{self, Row, Settings};
+use crate::objects::{named, planes, real, spheres, vector};
+use crate::tracer::{
+    Ambient, Camera, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer, Sky,
+    Unoccluded,
+};
+use crate::values::Exponent;
+#[cfg(feature = "micromath")]
+use hemidisc::MicromathF32;
+use hemidisc::arithmetic::{Arithmetic, Root};
+use hemidisc::disc::Polygon;
+use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, ThinLens};
+use hemidisc::{Concentric, FastF32, Frame, LibmF32, LibmF64, Map};
+
+/// Renders a scene with some of its effects, a step after each pass; or says which field is wrong.
+pub(crate) type Render =
+    fn(&Scene, Effects, &Settings, &mut dyn FnMut()) -> Result<frame::Frame, String>;
+
+/// The arithmetics that have a square root, by name.
+pub(crate) const ARITHMETICS: &[(&str, Render)] = &[
+    (LibmF64::NAME, render::<LibmF64>),
+    (LibmF32::NAME, render::<LibmF32>),
+    (FastF32::NAME, render::<FastF32>),
+    #[cfg(feature = "micromath")]
+    (MicromathF32::NAME, render::<MicromathF32>),
+];
+
+/// The function that renders in the arithmetic of a name.
+pub(crate) fn renderer_of(arithmetic: &str) -> Option<Render> {
+    let known = ARITHMETICS.iter().find(|(name, _)| *name == arithmetic);
+    known.map(|(_, render)| *render)
+}
+
+fn render<A: Root>(
+    scene: &Scene,
+    effects: Effects,
+    settings: &Settings,
+    step: &mut dyn FnMut(),
+) -> Result<frame::Frame, String> {
+    let mut frame = Err("not rendered".to_owned());
+    let run = &mut |row: &Row<'_, A::Real>| frame = Ok(frame::render(row, settings, step));
+    with_rows::<A>(scene, effects, settings, run)?;
+    frame
+}
+
+/// Calls `run` with the rows of a scene and some of its effects.
+pub(crate) fn with_rows<A: Root>(
+    scene: &Scene,
+    effects: Effects,
+    settings: &Settings,
+    run: &mut dyn FnMut(&Row<'_, A::Real>),
+) -> Result<(), String> {
+    let assembly = Assembly::<A> { scene, effects, settings, run };
+    match scene.lens.as_ref().filter(|_| effects.has(Effect::Lens)) {
+        None => assembly.with_lens(Pinhole),
+        Some(lens) => match lens.aperture {
+            Aperture::Round => assembly.with_aperture(lens, Concentric::<A>::new()),
+            // With a corner up.
+            Aperture::Hexagon => assembly.with_aperture(lens, Polygon::<A, 6>::new(1 << 30)),
+        },
+    }
+}
+
+struct Assembly<'a, A: Root> {
+    scene: &'a Scene,
+    effects: Effects,
+    settings: &'a Settings,
+    run: &'a mut dyn FnMut(&Row<'_, A::Real>),
+}
+
+impl<A: Root> Assembly<'_, A> {
+    fn with_aperture<M>(self, lens: &scene::Lens, aperture: M) -> Result<(), String>
+    where
+        M: Map<Arithmetic = A, Point = [A::Real; 2]> + Sync,
+    {
+        let [radius, focus] = [lens.radius.0, lens.focus.0].map(real::<A>);
+        let lens = ThinLens::new(aperture, radius, focus);
+        self.with_lens(lens.map_err(|error| named::<A>("lens", error))?)
+    }
+
+    fn with_lens<L: Lens<A> + Sync>(self, lens: L) -> Result<(), String> {
+        let scene::Light { position, toward, two_sided, radius, .. } = &self.scene.light;
+        let position = vector::<A>(position.0);
+        let frame = Frame::normalized::<A>(vector::<A>(toward.0))
+            .map_err(|error| named::<A>("light.toward", error))?;
+        match radius.filter(|_| self.effects.has(Effect::Light)) {
+            None => {
+                let [_, _, normal] = frame.axes();
+                self.with_light(lens, PointLight { position, normal, two_sided: *two_sided })
+            }
+            Some(radius) => {
+                let light = DiscLight::<A>::new(position, frame, real::<A>(radius.0))
+                    .map_err(|error| named::<A>("light.radius", error))?;
+                self.with_light(lens, if *two_sided { light.two_sided() } else { light })
+            }
+        }
+    }
+
+    fn with_light<L, S>(self, lens: L, light: S) -> Result<(), String>
+    where
+        L: Lens<A> + Sync,
+        S: Light<A> + Sync,
+    {
+        match self.scene.ambient.reach.filter(|_| self.effects.has(Effect::Occlusion)) {
+            None => self.with_occlusion(lens, light, Unoccluded),
+            Some(reach) => {
+                let occlusion = AmbientOcclusion::<A>::new(real::<A>(reach.0))
+                    .map_err(|error| named::<A>("ambient.reach", error))?;
+                self.with_occlusion(lens, light, occlusion)
+            }
+        }
+    }
+
+    fn with_occlusion<L, S, O>(self, lens: L, light: S, occlusion: O) -> Result<(), String>
+    where
+        L: Lens<A> + Sync,
+        S: Light<A> + Sync,
+        O: Ambient<A> + Sync,
+    {
+        if self.effects.has(Effect::Glossy) {
+            self.with_lobes(lens, light, occlusion, |exponent| {
+                let parameter = exponent.0.to_string().parse();
+                let parameter = parameter.map_err(|error| format!("exponent: {error}"))?;
+                Glossy::<A>::new(parameter, BelowHorizon::Flip)
+                    .map_err(|error| named::<A>("exponent", error))
+            })
+        } else {
+            self.with_lobes(lens, light, occlusion, |_| Ok(Mirror))
+        }
+    }
+
+    fn with_lobes<L, S, O, G>(
+        self,
+        lens: L,
+        light: S,
+        occlusion: O,
+        lobe: impl Fn(Exponent) -> Result<G, String>,
+    ) -> Result<(), String>
+    where
+        L: Lens<A> + Sync,
+        S: Light<A> + Sync,
+        O: Ambient<A> + Sync,
+        G: Reflection<A> + Sync,
+    {
+        let Scene { camera, light: lamp, ambient, sky, .. } = self.scene;
+        let slope = real::<A>((camera.field_of_view.0.to_radians() / 2.0).tan());
+        let [position, ahead] = [camera.position.0, camera.ahead.0].map(vector::<A>);
+        let renderer = Renderer {
+            camera: Camera::new(position, ahead, slope, self.settings.size)
+                .map_err(|error| named::<A>("camera.ahead", error))?,
+            lens,
+            light,
+            intensity: vector::<A>(lamp.intensity.0),
+            ambient: vector::<A>(ambient.colour.0),
+            occlusion,
+            sky: Sky { horizon: vector::<A>(sky.horizon.0), zenith: vector::<A>(sky.zenith.0) },
+            spheres: &spheres(self.scene, &lobe)?,
+            planes: &planes(self.scene, &lobe)?,
+            seed: self.settings.seed,
+        };
+        (self.run)(&|y, samples, pixels| renderer.row([0, y], samples, pixels));
+        Ok(())
+    }
+}

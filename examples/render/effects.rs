@@ -1,0 +1,86 @@
+//! Which of the four effects a scene has, or a picture is rendered with.
+
+use std::str::FromStr;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Effect {
+    Lens,
+    Light,
+    Occlusion,
+    Glossy,
+}
+
+impl Effect {
+    pub(crate) const ALL: [Self; 4] = [Self::Lens, Self::Light, Self::Occlusion, Self::Glossy];
+
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Lens => "lens",
+            Self::Light => "light",
+            Self::Occlusion => "occlusion",
+            Self::Glossy => "glossy",
+        }
+    }
+}
+
+/// A set of effects.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Effects {
+    bits: u8,
+}
+
+impl Effects {
+    pub(crate) const NONE: Self = Self { bits: 0 };
+
+    pub(crate) const fn has(self, effect: Effect) -> bool {
+        self.bits >> effect as u8 & 1 == 1
+    }
+
+    pub(crate) const fn with(self, effect: Effect) -> Self {
+        Self { bits: self.bits | 1 << effect as u8 }
+    }
+
+    pub(crate) const fn without(self, effect: Effect) -> Self {
+        Self { bits: self.bits & !(1 << effect as u8) }
+    }
+
+    pub(crate) fn each(self) -> impl Iterator<Item = Effect> {
+        Effect::ALL.into_iter().filter(move |effect| self.has(*effect))
+    }
+
+    /// What the command line accepts of a scene with these effects.
+    pub(crate) fn accepted(self) -> String {
+        let names: Vec<_> = self.each().map(Effect::name).collect();
+        match names.len() {
+            0 => "none".to_owned(),
+            1 => format!("{}, or none", names.concat()),
+            _ => format!("some of {}, with commas between; or none", names.join(",")),
+        }
+    }
+}
+
+impl FromIterator<Effect> for Effects {
+    fn from_iter<I: IntoIterator<Item = Effect>>(effects: I) -> Self {
+        effects.into_iter().fold(Self::NONE, Self::with)
+    }
+}
+
+impl FromStr for Effects {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "none" {
+            return Ok(Self::NONE);
+        }
+        let mut effects = Self::NONE;
+        for name in text.split(',') {
+            let effect = Effect::ALL.into_iter().find(|effect| effect.name() == name);
+            let effect = effect.ok_or_else(|| format!("{name:?} is not an effect"))?;
+            if effects.has(effect) {
+                return Err(format!("{name} is named twice"));
+            }
+            effects = effects.with(effect);
+        }
+        Ok(effects)
+    }
+}

@@ -1,0 +1,60 @@
+//! Reads a scene from its file. An error names the file, the line and the field.
+
+use crate::Failure;
+use crate::description::Scene;
+use ron::extensions::Extensions;
+use ron::{Deserializer, Options};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Where scenes are that are given by a name.
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join("scenes")
+}
+
+/// The names of the scenes that come with the renderer.
+pub(crate) fn names() -> Vec<String> {
+    let files = fs::read_dir(folder()).into_iter().flatten().flatten().map(|entry| entry.path());
+    let scenes = files.filter(|path| path.extension().is_some_and(|end| end == "ron"));
+    let mut names: Vec<_> =
+        scenes.filter_map(|path| Some(path.file_stem()?.to_string_lossy().into_owned())).collect();
+    names.sort();
+    names
+}
+
+/// The scene of a name, or of a path that ends in `.ron`; and the path.
+pub(crate) fn scene(name: &str) -> Result<(PathBuf, Scene), Failure> {
+    let own = names().iter().any(|known| known == name);
+    let path = if own { folder().join(name).with_extension("ron") } else { PathBuf::from(name) };
+    let refused = |wrong: &str| {
+        let accepted = names().join(", ");
+        Failure::Usage(format!(
+            "--scene: {wrong}; accepted: {accepted}, or the path of a .ron file"
+        ))
+    };
+    if path.extension().is_none_or(|end| end != "ron") {
+        return Err(refused(&format!("{name:?} is not a scene")));
+    }
+    let text = fs::read_to_string(&path)
+        .map_err(|error| refused(&format!("cannot read {}: {error}", path.display())))?;
+    let scene = parsed(&text)
+        .map_err(|wrong| Failure::Usage(format!("--scene: {}:{wrong}", path.display())))?;
+    Ok((path, scene))
+}
+
+/// The scene of a text, or the line and column, field and what is wrong.
+pub(crate) fn parsed(text: &str) -> Result<Scene, String> {
+    let options = Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
+    let at = |error: ron::error::SpannedError, field: &str| {
+        let one_line = error.code.to_string().replace('\n', " ");
+        format!("{}:{field} {one_line}", error.span.start)
+    };
+    let mut reader =
+        Deserializer::from_str_with_options(text, &options).map_err(|error| at(error, ""))?;
+    let scene = serde_path_to_error::deserialize(&mut reader).map_err(|error| {
+        let field = format!(" {}:", error.path());
+        at(reader.span_error(error.into_inner()), &field)
+    })?;
+    reader.end().map_err(|error| at(reader.span_error(error), ""))?;
+    Ok(scene)
+}

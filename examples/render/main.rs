@@ -1,0 +1,117 @@
+//! Renders a scene with depth of field, soft shadows, ambient occlusion and glossy reflection, or any of them.
+//!
+//! ```text
+//! cargo run --release --example render -- --scene still-life --spp 64
+//! cargo run --release --example render -- --scene lens --effects none --report json
+//! ```
+//!
+//! `tracer` is the renderer, which the firmware shares; the rest is the host's: `arguments` reads the command
+//! line, `description` is a scene as its file has it, of checked `values`, and `file` reads it. `assembly` makes a
+//! renderer of the scene's `objects` and the effects called for, `frame` renders its rows on all cores, `picture`
+//! writes a PNG and `report` says what each effect took.
+
+mod arguments;
+mod assembly;
+mod description;
+mod effects;
+mod file;
+mod frame;
+mod objects;
+mod picture;
+#[path = "../gallery/progress.rs"]
+mod progress;
+mod report;
+#[cfg(test)]
+mod tests;
+mod tracer;
+mod values;
+
+use arguments::Arguments;
+use clap::Parser;
+use effects::Effects;
+use frame::Settings;
+use picture::Output;
+use progress::Progress;
+use std::io::{self, ErrorKind, Write};
+use std::process::ExitCode;
+
+/// Why there is no picture.
+enum Failure {
+    /// Names the argument or the field, what was wrong and what is accepted.
+    Usage(String),
+    Output(String, io::Error),
+}
+
+fn main() -> ExitCode {
+    let given = std::env::args_os().map(|argument| argument.to_string_lossy().into_owned());
+    let result = match Arguments::try_parse_from(given) {
+        Ok(arguments) => run(&arguments),
+        Err(error) if error.use_stderr() => Err(Failure::Usage(arguments::one_line(&error))),
+        Err(help) => say(&help.to_string()),
+    };
+    let (status, message) = match result {
+        Ok(()) => return ExitCode::SUCCESS,
+        Err(Failure::Usage(message)) => (2, message),
+        Err(Failure::Output(path, error)) => (1, format!("cannot write {path}: {error}")),
+    };
+    // There is nowhere to say that this could not be written.
+    let _ = writeln!(io::stderr(), "error: {message}");
+    ExitCode::from(status)
+}
+
+fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let (path, scene) = file::scene(&arguments.scene)?;
+    let effects = called_for(arguments, scene.effects())?;
+    let settings = Settings {
+        size: [arguments.width.into(), arguments.height.into()],
+        samples: arguments.spp.get().into(),
+        seed: arguments.seed,
+    };
+    let render = assembly::renderer_of(&arguments.arithmetic)
+        .ok_or_else(|| Failure::Usage(arguments.unknown_arithmetic()))?;
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(arguments.threads()).build();
+    let pool = pool.map_err(|error| Failure::Usage(format!("--threads: {error}")))?;
+    // Before anything that takes time.
+    let output = Output::create(&arguments.picture())?;
+
+    let others = if arguments.report.is_some() { effects.each().count() } else { 0 };
+    let mut progress = Progress::new(settings.passes() * (1 + others));
+    let mut render = |effects: Effects| {
+        let step = &mut || progress.step(&arguments.scene);
+        pool.install(|| render(&scene, effects, &settings, step))
+            .map_err(|wrong| Failure::Usage(format!("{}: {wrong}", path.display())))
+    };
+    let frame = render(effects)?;
+    let report = match arguments.report {
+        Some(_) => Some(report::json(effects, &frame, &mut render)?),
+        None => None,
+    };
+    progress.finish();
+
+    let written = output.write(settings.size, &picture::bytes(&frame.pixels))?;
+    say(&report.unwrap_or_else(|| format!("{written}\n")))
+}
+
+/// The effects of the arguments, which have to be among those of the scene.
+fn called_for(arguments: &Arguments, of_scene: Effects) -> Result<Effects, Failure> {
+    let effects = arguments.effects.unwrap_or(of_scene);
+    if let Some(missing) = effects.each().find(|effect| !of_scene.has(*effect)) {
+        return Err(Failure::Usage(format!(
+            "--effects: scene {:?} has no {}; accepted: {}",
+            arguments.scene,
+            missing.name(),
+            of_scene.accepted()
+        )));
+    }
+    Ok(effects)
+}
+
+/// Prints a text; a reader that has seen enough of it (`| head`) is no error.
+fn say(text: &str) -> Result<(), Failure> {
+    match io::stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::Output("standard output".into(), error))
+        }
+        _ => Ok(()),
+    }
+}
