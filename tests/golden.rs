@@ -15,6 +15,13 @@ mod arithmetics;
 mod effects;
 #[path = "golden/lines.rs"]
 mod lines;
+#[cfg(feature = "micromath")]
+#[path = "golden/render.rs"]
+mod render;
+#[cfg(feature = "micromath")]
+#[path = "../examples/render/tracer/mod.rs"]
+#[expect(dead_code, unused_imports, reason = "the example counts and reflects in more ways")]
+mod tracer;
 
 use arithmetics::Tested;
 use hemidisc::catalogue::AVAILABLE_ARITHMETICS;
@@ -58,6 +65,17 @@ fn effects_are_as_recorded() {
     effects::effects::<LibmF32>(&mut line).unwrap();
     effects::effects::<LibmF64>(&mut line).unwrap();
     compare("effects.txt", &text);
+}
+
+#[cfg(feature = "micromath")]
+#[test]
+fn pictures_are_as_recorded() {
+    use hemidisc::{FastF32, MicromathF32};
+    let mut text = format!("# micromath {}\n", locked("micromath"));
+    let mut line = |line: std::fmt::Arguments| writeln!(text, "{line}").unwrap();
+    render::digests::<FastF32>(&mut line).unwrap();
+    render::digests::<MicromathF32>(&mut line).unwrap();
+    compare("render.txt", &text);
 }
 
 /// The version of a dependency that the lock file pins.

@@ -14,8 +14,8 @@ use crate::values::Exponent;
 #[cfg(feature = "micromath")]
 use hemidisc::MicromathF32;
 use hemidisc::arithmetic::{Arithmetic, Root};
-use hemidisc::disc::Polygon;
-use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, ThinLens};
+
+use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
 use hemidisc::{Concentric, FastF32, Frame, LibmF32, LibmF64, Map};
 
 /// Renders a scene with some of its effects, a step after each pass; or says which field is wrong.

@@ -9,6 +9,7 @@
 //! | `fused/SEQUENCE/MAP/DISC/ARITHMETIC` | points of a sequence |
 //! | `sequence/NAME` | coordinates |
 //! | `effect/EFFECT/ARITHMETIC` | samples of an effect, of stored coordinates |
+//! | `render/SCENE/ARITHMETIC` | pixels of a scene |
 //! | `exponent/ARITHMETIC` | no fill: what prepares an exponent, once, before a power lobe is filled |
 //! | `peer/MAP/DISC/PEER` | the same points by other formulas and crates, of stored coordinates |
 //! | `loop/empty`, `loop/copy` | the loop alone; the loop with its loads and stores |
@@ -18,7 +19,14 @@ mod effects;
 mod loops;
 mod maps;
 mod peers;
+mod render;
+#[path = "../../../tests/golden/render.rs"]
+#[expect(dead_code, reason = "the tests take digests")]
+mod scenes;
 mod sequences;
+#[path = "../../../examples/render/tracer/mod.rs"]
+#[expect(dead_code, unused_imports, reason = "the example counts and reflects in more ways")]
+mod tracer;
 
 use bytemuck::Pod;
 
@@ -40,5 +48,6 @@ pub fn every(visitor: &mut impl Visitor) {
     maps::every(visitor);
     maps::fused(visitor);
     effects::every(visitor);
+    render::every(visitor);
     peers::every(visitor);
 }

@@ -39,8 +39,9 @@ pub fn compare(core: &Core, printed: &str) -> Result<Files> {
         files.lines += digests.len();
         files.names.insert(name.to_owned());
     }
-    let expected =
-        ["square", "domain", "effects"].into_iter().chain(hemidisc::catalogue::ARITHMETICS);
+    let expected = ["square", "domain", "effects", "render"]
+        .into_iter()
+        .chain(hemidisc::catalogue::ARITHMETICS);
     for name in expected {
         ensure!(files.names.contains(name), "{} gives no digests of {name}", core.name);
     }

@@ -17,7 +17,7 @@ const COUNT: f64 = 256.0;
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Record {
     pub core: &'static str,
-    /// `map`, `sequence`, `fused`, `effect`, `peer`, `loop` or `exponent`.
+    /// `map`, `sequence`, `fused`, `effect`, `render`, `peer`, `loop` or `exponent`.
     pub kind: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sequence: Option<String>,
@@ -25,6 +25,8 @@ pub struct Record {
     pub map: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub effect: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scene: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub disc: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -65,6 +67,9 @@ impl Record {
                 (record.map, record.disc, record.arithmetic) =
                     (own(map), own(disc), own(arithmetic));
             }
+            [scene, arithmetic] if parts[0] == "render" => {
+                (record.scene, record.arithmetic) = (own(scene), own(arithmetic));
+            }
             [effect, arithmetic] if parts[0] == "effect" => {
                 (record.effect, record.arithmetic) = (own(effect), own(arithmetic));
             }
@@ -81,6 +86,7 @@ impl Record {
         let arithmetic = record.arithmetic.as_deref().filter(|name| ARITHMETICS.contains(name));
         let file = match parts[0] {
             "effect" => Some("effects"),
+            "render" => Some("render"),
             _ => arithmetic.or(record.sequence.as_ref().map(|_| "square")),
         };
         record.digest_ok = file.map(|name| files.names.contains(name));
@@ -136,6 +142,8 @@ impl Report {
             ensure!(self.records.iter().any(has), "the sequence {name} is not counted");
         }
         let effects = self.records.iter().filter(|record| record.kind == "effect").count();
+        let scenes = self.records.iter().filter(|record| record.kind == "render").count();
+        ensure!(scenes == 2 * 2 * 4, "{scenes} of 16 scenes are counted");
         ensure!(effects == 5 * 3 * 4, "{effects} of 60 effects are counted");
         for name in ARITHMETICS {
             let has = |record: &&Record| {

@@ -6,6 +6,11 @@
 mod effects;
 #[path = "../../../../tests/golden/lines.rs"]
 mod lines;
+#[path = "../../../../tests/golden/render.rs"]
+mod render;
+#[path = "../../../../examples/render/tracer/mod.rs"]
+#[expect(dead_code, unused_imports, reason = "the example counts and reflects in more ways")]
+mod tracer;
 
 use board::{exit, println};
 use hemidisc::arithmetic::Arithmetic;
@@ -34,7 +39,10 @@ fn files() -> Result<(), Error> {
     effects::effects::<FastF32>(&mut line)?;
     effects::effects::<MicromathF32>(&mut line)?;
     effects::effects::<LibmF32>(&mut line)?;
-    effects::effects::<LibmF64>(&mut line)
+    effects::effects::<LibmF64>(&mut line)?;
+    println!("file render");
+    render::digests::<FastF32>(&mut line)?;
+    render::digests::<MicromathF32>(&mut line)
 }
 
 #[board::entry]

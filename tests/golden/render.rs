@@ -1,0 +1,156 @@
+//! Two small scenes in code and the lines of `render.txt`: digests of both at 64 x 48, in an arithmetic of floats.
+//!
+//! As `lines.rs`, compiled by the host and the firmware alike; so is the renderer.
+
+use super::tracer::{
+    Ambient, Camera, Checker, Finish, Lens, Light, Material, Mirror, Pinhole, Plane, PointLight,
+    Reflection, Renderer, Sky, Sphere, Unoccluded,
+};
+use core::fmt::Arguments;
+use hemidisc::arithmetic::{Real, Root};
+use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
+use hemidisc::invariant::{Digest, Digestible};
+use hemidisc::{Error, Frame};
+
+const SIZE: [u32; 2] = [64, 48];
+const SAMPLES: u32 = 2;
+
+/// Takes a scene with the effects that it calls for, whatever their types.
+pub trait Visitor<A: Root> {
+    /// Takes a scene.
+    fn scene<L: Lens<A>, S: Light<A>, O: Ambient<A>, G: Reflection<A>>(
+        &mut self,
+        name: &'static str,
+        scene: Renderer<'_, A, L, S, O, G>,
+    );
+}
+
+/// A number in thousandths, by operations that round alike everywhere.
+fn milli<R: Real>(n: i32) -> R {
+    let magnitude = R::over_2_32(n.unsigned_abs()) / R::over_2_32(1000);
+    if n < 0 { -magnitude } else { magnitude }
+}
+
+fn vector<R: Real>(v: [i32; 3]) -> [R; 3] {
+    v.map(milli)
+}
+
+/// The parts of a scene that are effects, or what stands in for them.
+struct Parts<L, S, O, G> {
+    lens: L,
+    light: S,
+    occlusion: O,
+    silver: G,
+    brass: G,
+}
+
+/// Three balls on a chequered table.
+fn table<A, L, S, O, G>(
+    name: &'static str,
+    parts: Parts<L, S, O, G>,
+    visitor: &mut impl Visitor<A>,
+) -> Result<(), Error>
+where
+    A: Root,
+    L: Lens<A>,
+    S: Light<A>,
+    O: Ambient<A>,
+    G: Reflection<A>,
+{
+    let material =
+        |albedo, finish| Material { albedo: vector(albedo), emission: vector([0; 3]), finish };
+    let ball = |centre, radius, material| Sphere {
+        centre: vector(centre),
+        radius: milli(radius),
+        material,
+    };
+    let silver = Finish::Glossy(vector([800, 800, 750]), parts.silver);
+    let brass = Finish::Glossy(vector([700, 550, 250]), parts.brass);
+    let spheres = [
+        ball([0, 800, -200], 800, material([30, 30, 30], silver)),
+        ball([1400, 500, 400], 500, material([120, 80, 30], brass)),
+        ball([-900, 400, 900], 400, material([550, 120, 60], Finish::Matte)),
+    ];
+    let planes = [Plane {
+        point: vector([0; 3]),
+        frame: Frame::new(vector([0, 1000, 0]))?,
+        material: material([580, 550, 500], Finish::Matte),
+        checker: Some(Checker { albedo: vector([160, 170, 200]), size: milli(700) }),
+    }];
+    let camera =
+        Camera::new(vector([200, 1700, 5000]), vector([-30, -210, -1000]), milli(325), SIZE)?;
+    let sky = Sky { horizon: vector([500, 500, 550]), zenith: vector([150, 250, 500]) };
+    visitor.scene(
+        name,
+        Renderer {
+            camera,
+            lens: parts.lens,
+            light: parts.light,
+            intensity: vector([58_000, 53_000, 45_000]),
+            ambient: vector([160, 170, 210]),
+            occlusion: parts.occlusion,
+            sky,
+            spheres: &spheres,
+            planes: &planes,
+            seed: 7,
+        },
+    );
+    Ok(())
+}
+
+const LAMP: [i32; 3] = [-2600, 4600, 2600];
+
+/// The table without an effect.
+pub fn plain<A: Root>(visitor: &mut impl Visitor<A>) -> Result<(), Error> {
+    let light =
+        PointLight { position: vector(LAMP), normal: vector([0, -1000, 0]), two_sided: false };
+    let (lens, occlusion) = (Pinhole, Unoccluded);
+    table("plain", Parts { lens, light, occlusion, silver: Mirror, brass: Mirror }, visitor)
+}
+
+/// The table with all four; the exponents are those of silver and brass, 3000 and 30.
+pub fn still_life<A: Root>(
+    [silver, brass]: [A::Parameter; 2],
+    visitor: &mut impl Visitor<A>,
+) -> Result<(), Error> {
+    let gloss = |exponent| Glossy::<A>::new(exponent, BelowHorizon::Flip);
+    let down = Frame::new(vector([0, -1000, 0]))?;
+    let parts = Parts {
+        lens: ThinLens::new(Polygon::<A, 6>::new(1 << 30), milli(100), milli(4900))?,
+        light: DiscLight::<A>::new(vector(LAMP), down, milli(600))?,
+        occlusion: AmbientOcclusion::<A>::new(milli(1200))?,
+        silver: gloss(silver)?,
+        brass: gloss(brass)?,
+    };
+    table("still-life", parts, visitor)
+}
+
+/// A line for each scene.
+struct Digests<'a>(&'a mut dyn FnMut(Arguments));
+
+impl<A: Root<Real: Digestible>> Visitor<A> for Digests<'_> {
+    fn scene<L: Lens<A>, S: Light<A>, O: Ambient<A>, G: Reflection<A>>(
+        &mut self,
+        name: &'static str,
+        scene: Renderer<'_, A, L, S, O, G>,
+    ) {
+        let (mut digest, [_, height]) = (Digest::new(), SIZE);
+        for y in 0..height {
+            // A row is all that a board keeps of the picture.
+            let mut row = [[A::Real::ZERO; 3]; SIZE[0] as usize];
+            scene.row([0, y], 0..SAMPLES, &mut row);
+            row.into_iter().for_each(|pixel| digest.value_of(pixel));
+        }
+        (self.0)(format_args!("{} {name} {:016x}", A::NAME, digest.value()));
+    }
+}
+
+/// The lines of one arithmetic.
+pub fn digests<A: Root<Real: Digestible>>(lines: &mut dyn FnMut(Arguments)) -> Result<(), Error> {
+    let mut visitor = Digests(lines);
+    plain::<A>(&mut visitor)?;
+    let (Ok(silver), Ok(brass)) = ("3000".parse(), "30".parse()) else {
+        return Err(Error::Exponent { value: f64::NAN });
+    };
+    still_life::<A>([silver, brass], &mut visitor)
+}
