@@ -87,7 +87,7 @@ albedo: (0, 0, 0), reflection: (reflectance: (1, 1, 1), exponent: 9)))],
             "8:",
             "spheres[0].material.reflection.exponent: exponent is",
         ),
-        ("],\n)", "],\n", "9:", ""),
+        ("],\n)", "],\n", "8:73: Unexpected end", ""),
         ("],\n)", "],\n) 7", "9:", ""),
     ];
     for (from, to, line, wrong) in cases {
