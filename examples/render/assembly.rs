@@ -164,7 +164,7 @@ impl<A: Root> Assembly<'_, A> {
             planes: &planes(self.scene, &lobe)?,
             seed: self.settings.seed,
         };
-        (self.run)(&|y, samples, pixels| renderer.row([0, y], samples, pixels));
+        (self.run)(&|from, samples, pixels| renderer.row(from, samples, pixels));
         Ok(())
     }
 }

@@ -52,7 +52,11 @@ pub(crate) fn parsed(text: &str) -> Result<Scene, String> {
     let mut reader =
         Deserializer::from_str_with_options(text, &options).map_err(|error| at(error, ""))?;
     let scene = serde_path_to_error::deserialize(&mut reader).map_err(|error| {
-        let field = format!(" {}:", error.path());
+        // Of the text as a whole there is none.
+        let field = match error.path().to_string().as_str() {
+            "." | "?" => String::new(),
+            field => format!(" {field}:"),
+        };
         at(reader.span_error(error.into_inner()), &field)
     })?;
     reader.end().map_err(|error| at(reader.span_error(error), ""))?;

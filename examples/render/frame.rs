@@ -37,12 +37,12 @@ pub(crate) struct Frame {
     pub(crate) seconds: f64,
 }
 
-/// Adds a range of samples to the sums of a row, y, from the left: [`Renderer::row`] of a renderer of any type.
+/// Adds a range of samples to the sums of the pixels from (x, y) to the right: [`Renderer::row`] of any type.
 ///
 /// Behind a pointer, so that what runs rows on all cores is compiled once and not for every renderer.
 ///
 /// [`Renderer::row`]: crate::tracer::Renderer::row
-pub(crate) type Row<'a, R> = dyn Fn(u32, Range<u32>, &mut [[R; 3]]) -> Counts + Sync + 'a;
+pub(crate) type Row<'a, R> = dyn Fn([u32; 2], Range<u32>, &mut [[R; 3]]) -> Counts + Sync + 'a;
 
 /// A frame of all samples; `step` is called after each pass.
 pub(crate) fn render<R: Real>(
@@ -72,7 +72,7 @@ pub(crate) fn pass<R: Real>(
     sums: &mut [[R; 3]],
 ) -> Counts {
     let rows = sums.par_chunks_mut(width).enumerate();
-    let counts = rows.map(|(y, pixels)| row(y as u32, samples.clone(), pixels));
+    let counts = rows.map(|(y, pixels)| row([0, y as u32], samples.clone(), pixels));
     counts.reduce(Counts::default, |mut all, of_row| {
         all += of_row;
         all

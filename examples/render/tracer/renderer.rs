@@ -54,14 +54,15 @@ where
     G: Reflection<A>,
 {
     /// Adds a range of samples to each of the sums, which are those of the pixels from (x, y) to the right.
-    pub fn row(&self, [x, y]: [u32; 2], samples: Range<u32>, sums: &mut [Vector<A>]) -> Counts {
+    pub fn row(&self, [mut x, y]: [u32; 2], samples: Range<u32>, sums: &mut [Vector<A>]) -> Counts {
         let mut counts = Counts::default();
-        for (x, pixel) in (x..).zip(sums) {
+        for pixel in sums {
             let domain = Domain::new(self.seed).pixel(x, y);
             for index in samples.clone() {
                 let sample = Sample::new(domain, index);
                 *pixel = sum(*pixel, self.radiance([x, y], sample, &mut counts));
             }
+            x = x.wrapping_add(1);
         }
         counts
     }

@@ -1,0 +1,146 @@
+//! Pictures: the same for every split, finite for every scene, right where the answer is known.
+
+use super::{SMALL, bits, each_arithmetic, rendered, scene, subsets};
+use crate::assembly::with_rows;
+use crate::description::Scene;
+use crate::effects::Effects;
+use crate::file;
+use crate::frame::{Row, Settings, pass};
+use crate::picture::bytes;
+use crate::values::{Angle, Point};
+use hemidisc::LibmF32;
+
+/// Calls a function with the rows of the still life.
+fn with_still_life(mut run: impl FnMut(&Row<'_, f32>)) {
+    let scene = scene("still-life");
+    with_rows::<LibmF32>(&scene, scene.effects(), &SMALL, &mut run).unwrap();
+}
+
+#[test]
+fn the_number_of_threads_changes_nothing() {
+    let scene = scene("still-life");
+    let [one, three] = [1, 3].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| rendered("libm-f32", &scene, scene.effects(), &SMALL))
+    });
+    assert_eq!(bits(&one), bits(&three));
+    assert_eq!(one.counts, three.counts);
+}
+
+#[test]
+fn ranges_of_samples_add_up() {
+    let [width, height] = SMALL.size.map(|side| side as usize);
+    let black = || vec![[0.0; 3]; width * height];
+    with_still_life(|row| {
+        let mut at_once = black();
+        let counts = pass(row, width, 0..4, &mut at_once);
+
+        let mut in_turn = black();
+        let mut of_both = pass(row, width, 0..2, &mut in_turn);
+        of_both += pass(row, width, 2..4, &mut in_turn);
+        assert_eq!(in_turn, at_once);
+        assert_eq!(of_both, counts);
+
+        // Sums by others round once more, which no byte of the picture shows.
+        let (mut first, mut second) = (black(), black());
+        pass(row, width, 2..4, &mut second);
+        pass(row, width, 0..2, &mut first);
+        let merged = first.iter().zip(&second).map(|(a, b)| [0, 1, 2].map(|i| a[i] + b[i]));
+        let picture = |sums: Vec<[f32; 3]>| {
+            let means: Vec<_> =
+                sums.iter().map(|sum| sum.map(|sum| f64::from(sum) / 4.0)).collect();
+            bytes(&means)
+        };
+        assert_eq!(picture(merged.collect()), picture(at_once));
+    });
+}
+
+#[test]
+fn parts_of_a_row_are_those_of_the_whole() {
+    with_still_life(|row| {
+        let (mut whole, mut parts) = ([[0.0; 3]; 24], [[0.0; 3]; 24]);
+        row([0, 9], 0..4, &mut whole);
+        let (left, right) = parts.split_at_mut(7);
+        row([7, 9], 0..4, right);
+        row([0, 9], 0..4, left);
+        assert_eq!(parts, whole);
+    });
+}
+
+#[test]
+fn an_empty_scene_is_all_sky() {
+    let mut empty = scene("still-life");
+    empty.spheres.clear();
+    empty.planes.clear();
+    finite(&empty);
+    let frame = rendered("libm-f64", &empty, Effects::NONE, &SMALL);
+    assert_eq!(frame.counts.base.rays, 24 * 16 * 4);
+    assert!(frame.pixels.iter().flatten().all(|component| *component > 0.0));
+}
+
+#[test]
+fn a_camera_inside_a_sphere_sees_its_inside() {
+    let mut scene = scene("still-life");
+    let silver = scene.spheres[0].centre;
+    for place in [silver, Point([silver.0[0], silver.0[1], silver.0[2] + 0.7])] {
+        scene.camera.position = place;
+        finite(&scene);
+    }
+    // A light at the camera, and on the floor.
+    for place in [silver, Point([0.0; 3])] {
+        scene.light.position = place;
+        finite(&scene);
+    }
+}
+
+#[track_caller]
+fn finite(scene: &Scene) {
+    for arithmetic in each_arithmetic() {
+        for effects in subsets() {
+            let frame = rendered(arithmetic, scene, effects, &SMALL);
+            let good = |component: &f64| component.is_finite() && *component >= 0.0;
+            assert!(frame.pixels.iter().flatten().all(good), "{arithmetic} {effects:?}");
+        }
+    }
+}
+
+/// albedo / pi times I cos t cos s / d^2, and the ambient light.
+#[test]
+fn a_floor_under_a_light_is_as_bright_as_it_should_be() {
+    let text = "(
+        camera: (position: (0, 3, 0), ahead: (0.6, -1, 0), field_of_view: 1),
+        light: (position: (0, 2, 0), toward: (0, -1, 0), intensity: (40, 20, 10)),
+        ambient: (colour: (0.3, 0.2, 0.1)),
+        sky: (horizon: (0, 0, 0), zenith: (0, 0, 0)),
+        planes: [(point: (0, 0, 0), normal: (0, 1, 0), material: (albedo: (0.5, 0.5, 1)))],
+    )";
+    let mut scene = file::parsed(text).unwrap();
+    scene.camera.field_of_view = Angle(0.001);
+    let settings = Settings { size: [1, 1], samples: 1, seed: 0 };
+    // Looked at 1.8 from the point below the light.
+    let square: f64 = 1.8 * 1.8 + 2.0 * 2.0;
+    let shape = (2.0 / square.sqrt()).powi(2) / square / std::f64::consts::PI;
+    let expected = [0.5 * (40.0 * shape + 0.3), 0.5 * (20.0 * shape + 0.2), 10.0 * shape + 0.1];
+    for arithmetic in each_arithmetic() {
+        let frame = rendered(arithmetic, &scene, Effects::NONE, &settings);
+        for (found, expected) in frame.pixels[0].into_iter().zip(expected) {
+            assert!(
+                (found / expected - 1.0).abs() < 1e-4,
+                "{arithmetic}: {found} is not {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn arithmetics_agree_on_the_picture() {
+    let scene = scene("still-life");
+    let settings = Settings { samples: 16, ..SMALL };
+    let reference = rendered("libm-f64", &scene, scene.effects(), &settings);
+    for arithmetic in each_arithmetic() {
+        let frame = rendered(arithmetic, &scene, scene.effects(), &settings);
+        let pairs = frame.pixels.iter().flatten().zip(reference.pixels.iter().flatten());
+        let distance = pairs.map(|(a, b)| (a - b).abs()).sum::<f64>() / (3.0 * 24.0 * 16.0);
+        assert!(distance < 2e-3, "{arithmetic} is off by {distance} in the mean");
+    }
+}

@@ -1,0 +1,110 @@
+//! Every subset of the effects, in every arithmetic that renders.
+
+use super::{SMALL, bits, each_arithmetic, rendered, scene, subsets};
+use crate::description::{Material, Scene};
+use crate::effects::{Effect, Effects};
+use crate::report::tally;
+use crate::tracer::Tally;
+use crate::values::{Colour, Radius};
+
+/// A scene from whose text the other effects were taken out.
+fn cut(scene: &Scene, effects: Effects) -> Scene {
+    let mut scene = scene.clone();
+    if !effects.has(Effect::Lens) {
+        scene.lens = None;
+    }
+    if !effects.has(Effect::Light) {
+        scene.light.radius = None;
+    }
+    if !effects.has(Effect::Occlusion) {
+        scene.ambient.reach = None;
+    }
+    if !effects.has(Effect::Glossy) {
+        let plain = |material: &mut Material| {
+            if let Some(reflection) = &mut material.reflection {
+                reflection.exponent = None;
+            }
+        };
+        scene.spheres.iter_mut().for_each(|sphere| plain(&mut sphere.material));
+        scene.planes.iter_mut().for_each(|plane| plain(&mut plane.material));
+    }
+    assert_eq!(scene.effects(), effects);
+    scene
+}
+
+#[test]
+fn an_absent_effect_draws_no_points_and_is_not_seen() {
+    let whole = scene("still-life");
+    assert_eq!(whole.effects(), Effect::ALL.into_iter().collect());
+    for arithmetic in each_arithmetic() {
+        let mut pictures = Vec::new();
+        for effects in subsets() {
+            let frame = rendered(arithmetic, &whole, effects, &SMALL);
+            for effect in Effect::ALL {
+                let Tally { points, rays } = tally(&frame.counts, effect);
+                let present = effects.has(effect);
+                assert_eq!((points > 0, rays > 0), (present, present), "{effect:?} of {effects:?}");
+            }
+            let never_had_it = rendered(arithmetic, &cut(&whole, effects), effects, &SMALL);
+            assert_eq!(bits(&frame), bits(&never_had_it), "{arithmetic} {effects:?}");
+            assert_eq!(frame.counts, never_had_it.counts);
+            pictures.push(bits(&frame));
+        }
+        // Each effect is seen where it is present.
+        pictures.sort();
+        pictures.dedup();
+        assert_eq!(pictures.len(), 16, "{arithmetic}");
+    }
+}
+
+#[test]
+fn a_lens_of_radius_0_is_a_pinhole() {
+    let mut scene = scene("still-life");
+    if let Some(lens) = &mut scene.lens {
+        lens.radius = Radius(0.0);
+    }
+    same_without(&scene, Effect::Lens);
+}
+
+#[test]
+fn a_light_of_radius_0_is_a_point() {
+    let mut scene = scene("still-life");
+    scene.light.radius = Some(Radius(0.0));
+    for two_sided in [false, true] {
+        scene.light.two_sided = two_sided;
+        same_without(&scene, Effect::Light);
+    }
+}
+
+/// A light that does not shine, an ambient light of no radiance and reflectance 0 add nothing, so that what is
+/// left shows whether the points of the other effects have changed.
+#[test]
+fn an_effect_does_not_change_the_noise_of_another() {
+    let black = Colour::default();
+    let mut unlit = scene("still-life");
+    unlit.light.intensity = black;
+    same_without(&unlit, Effect::Light);
+    let mut no_ambient = scene("still-life");
+    no_ambient.ambient.colour = black;
+    same_without(&no_ambient, Effect::Occlusion);
+    let mut dull = scene("still-life");
+    for sphere in &mut dull.spheres {
+        if let Some(reflection) = &mut sphere.material.reflection {
+            reflection.reflectance = black;
+        }
+    }
+    same_without(&dull, Effect::Glossy);
+}
+
+/// Asserts that all pictures are the same bits with an effect and without it.
+#[track_caller]
+fn same_without(scene: &Scene, effect: Effect) {
+    for arithmetic in each_arithmetic() {
+        for effects in subsets().filter(|effects| effects.has(effect)) {
+            let [with, without] = [effects, effects.without(effect)]
+                .map(|effects| rendered(arithmetic, scene, effects, &SMALL));
+            assert_eq!(bits(&with), bits(&without), "{arithmetic} {effects:?} without {effect:?}");
+            assert!(tally(&with.counts, effect).points > 0);
+        }
+    }
+}
