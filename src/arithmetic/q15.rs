@@ -1,7 +1,7 @@
 //! Q15: points of 16-bit integers.
 //!
 //! Two arithmetics share the number: [`Q15`] reads the concentric map from a table of lines, without a
-//! division; [`Q15Div`] divides and takes two short polynomials, without those 1.5 kB. Their concentric
+//! division; [`Q15Div`] divides and takes two short polynomials, without that kilobyte. Their concentric
 //! points differ in the last bits; all else is the same.
 //!
 //! A sample reads the top 16 bits of a coordinate and takes 16 x 16 bit products alone. Densities and
@@ -11,7 +11,7 @@
 //! at most 16 LSB: right to 0.51 of one, but with few directions to tell apart, and theta no better.
 
 use super::fixed::{FixedExponent, Q15, Q31};
-use super::{Arithmetic, Q15Div, Q31Disc, q15_div};
+use super::{Arithmetic, Q15Div, Q31Disc};
 use crate::error::Error;
 
 mod disc;
@@ -19,7 +19,7 @@ mod lobes;
 mod tables;
 
 pub use disc::Q15Disc;
-pub(super) use disc::fold;
+pub(super) use disc::concentric;
 pub use lobes::Q15Exponent;
 
 impl Q15 {
@@ -32,7 +32,7 @@ impl Q15 {
     /// ```
     #[inline(always)]
     pub const fn concentric(uv: [u32; 2]) -> [Self; 2] {
-        disc::concentric(uv).store()
+        disc::concentric::<false>(uv).store()
     }
 
     /// The polar map, as [`Polar`](crate::Polar) stores it.
@@ -57,7 +57,7 @@ impl Q15 {
 
 /// `Arithmetic` for an arithmetic on Q15, which has a concentric kernel of its own.
 macro_rules! arithmetic {
-    ($arithmetic:ty, $name:literal, $concentric:path) => {
+    ($arithmetic:ty, $name:literal, $divides:literal) => {
         impl Arithmetic for $arithmetic {
             const NAME: &'static str = $name;
             const ABSOLUTE_DENSITY: bool = false;
@@ -84,7 +84,7 @@ macro_rules! arithmetic {
 
             #[inline(always)]
             fn concentric<const RIM: bool>(uv: [u32; 2]) -> Q15Disc {
-                $concentric(uv)
+                disc::concentric::<$divides>(uv)
             }
 
             #[inline(always)]
@@ -183,8 +183,8 @@ macro_rules! arithmetic {
         }
     };
 }
-arithmetic!(Q15, "q15", disc::concentric);
-arithmetic!(Q15Div, "q15-div", q15_div::concentric);
+arithmetic!(Q15, "q15", false);
+arithmetic!(Q15Div, "q15-div", true);
 
 impl From<Q31Disc> for Q15Disc {
     /// For the inverses: the direction, and r^2, which is not 0.

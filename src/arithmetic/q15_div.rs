@@ -4,7 +4,7 @@
 //! The coefficients are minimax on [0, 1], moved a little inward (tests/derive/q15_div.sollya).
 
 use super::fixed::Q15;
-use super::q15::{Q15Disc, fold};
+use super::q15::concentric;
 
 /// The arithmetic of [`Q15`] with a concentric kernel for cores that divide: no table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,7 +14,7 @@ impl Q15Div {
     /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at compile time.
     #[inline(always)]
     pub const fn concentric(uv: [u32; 2]) -> [Q15; 2] {
-        concentric(uv).store()
+        concentric::<true>(uv).store()
     }
 
     /// The polar map, as [`Polar`](crate::Polar) stores it.
@@ -24,21 +24,9 @@ impl Q15Div {
     }
 }
 
-#[inline(always)]
-pub(super) const fn concentric([u, v]: [u32; 2]) -> Q15Disc {
-    let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));
-    if v > u {
-        let (y, x) = turned(v, u);
-        Q15Disc { magnitude: [x, y], sign: [sign_u, sign_v], r2: v * v }
-    } else {
-        let (x, y) = turned(u, v);
-        Q15Disc { magnitude: [x, y], sign: [sign_u, sign_v], r2: u * u }
-    }
-}
-
 /// (a cos, a sin) of the angle pi/4 b/a, in 2^-31; a and b odd, b <= a < 2^16.
 #[inline(always)]
-const fn turned(a: u32, b: u32) -> (u32, u32) {
+pub(super) const fn turned(a: u32, b: u32) -> (u32, u32) {
     // b/a and its square in 2^-16, less than 1. An odd number is not 0, which the compiler may not see.
     let t = ((b << 16) - 1) / (a | 1);
     let q = (t * t) >> 16;

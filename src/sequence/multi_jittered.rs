@@ -16,8 +16,8 @@ use crate::error::Error;
 /// One random point in each cell of an m x n grid that also has one in each of mn columns and rows.
 ///
 /// Promise: exactly one point in each of the m x n cells, in each of the mn strata of u and in each
-/// of the mn strata of v, at one of 2^16 places of each. The order is row by row. A point costs two permutations
-/// ([`permute`]).
+/// of the mn strata of v, at one of 2^16 places of each. The order is row by row. A point costs two
+/// permutations ([`permute`]).
 ///
 /// ```
 /// use hemidisc::sequence::MultiJittered;

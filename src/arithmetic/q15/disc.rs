@@ -9,6 +9,7 @@
 //! **Polar.** The angle within the octant is exact, and so is its bucket; r is a root from a table.
 
 use super::super::fixed::Q15;
+use super::super::q15_div;
 use super::tables::{BUCKETS, HALF, LINES, RECIPROCAL, RECIPROCAL_SHIFT, ROOT};
 
 /// A point of the disc before it is rounded.
@@ -39,20 +40,21 @@ impl Q15Disc {
 
 /// The magnitude about the centre in 2^-16, odd, of the cell of a coordinate; and its sign, -1 where positive.
 #[inline(always)]
-pub(in crate::arithmetic) const fn fold(k: u32) -> (u32, i32) {
+pub(super) const fn fold(k: u32) -> (u32, i32) {
     let j = k.cast_signed() >> 16;
     let sign = j >> 31;
     (0xffff - 2 * (j ^ sign).cast_unsigned(), sign)
 }
 
+/// By the table, or by Q15Div's division.
 #[inline(always)]
-pub(in crate::arithmetic) const fn concentric([u, v]: [u32; 2]) -> Q15Disc {
+pub(in crate::arithmetic) const fn concentric<const DIVIDES: bool>([u, v]: [u32; 2]) -> Q15Disc {
     let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));
     if v > u {
-        let (y, x) = turned(v, u);
+        let (y, x) = turned::<DIVIDES>(v, u);
         Q15Disc { magnitude: [x, y], sign: [sign_u, sign_v], r2: v * v }
     } else {
-        let (x, y) = turned(u, v);
+        let (x, y) = turned::<DIVIDES>(u, v);
         Q15Disc { magnitude: [x, y], sign: [sign_u, sign_v], r2: u * u }
     }
 }
@@ -80,7 +82,10 @@ const fn bucket_near_centre(a: u32, b: u32) -> u32 {
 
 /// (a cos, a sin) of the angle pi/4 b/a, in 2^-31; 0 < b <= a < 2^16.
 #[inline(always)]
-const fn turned(a: u32, b: u32) -> (u32, u32) {
+const fn turned<const DIVIDES: bool>(a: u32, b: u32) -> (u32, u32) {
+    if DIVIDES {
+        return q15_div::turned(a, b);
+    }
     let bucket = match bucket(a, b) {
         Some(bucket) => bucket,
         None => bucket_near_centre(a, b),

@@ -4,6 +4,7 @@ use crate::arithmetic::Q31;
 use crate::arithmetic::fixed::root::root;
 use crate::arithmetic::fixed::rotation::{octant, unit};
 use crate::arithmetic::fixed::wide::product;
+use crate::square::fold;
 
 /// A point of the disc before it gets its signs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,14 +25,6 @@ pub struct Q31Disc {
 #[inline(always)]
 pub(super) const fn signed(magnitude: u32, sign: i32) -> Q31 {
     Q31::from_bits(sign.wrapping_sub(magnitude.cast_signed() ^ sign))
-}
-
-/// The magnitude m of a coordinate about the centre, 2u - 1 = +-(2m + 1) / 2^32, and its sign, -1 where it is
-/// positive.
-#[inline(always)]
-const fn fold(k: u32) -> (u32, i32) {
-    let j = (k ^ 0x8000_0000).cast_signed();
-    ((j ^ (j >> 31)).cast_unsigned(), k.cast_signed() >> 31)
 }
 
 /// The nearest positive number to a count of 2^-32.
@@ -70,12 +63,13 @@ impl Q31Disc {
 #[inline(always)]
 pub(super) const fn concentric<const RIM: bool>([u, v]: [u32; 2]) -> Q31Disc {
     let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));
+    let signs = [!sign_u, !sign_v];
     if v > u {
         let (y, x) = octant(v, u);
-        Q31Disc::new(x, y, [sign_u, sign_v], ring::<RIM>(v))
+        Q31Disc::new(x, y, signs, ring::<RIM>(v))
     } else {
         let (x, y) = octant(u, v);
-        Q31Disc::new(x, y, [sign_u, sign_v], ring::<RIM>(u))
+        Q31Disc::new(x, y, signs, ring::<RIM>(u))
     }
 }
 
