@@ -109,7 +109,7 @@ pub enum Error {
         /// What was given (an `f32` widens to `f64` exactly).
         value: f64,
     },
-    /// A distance that is not above 0.
+    /// A distance that is not above 0, or one of a lens so near that its radius over it is no finite number.
     Distance {
         /// What was given (an `f32` widens to `f64` exactly).
         value: f64,
@@ -166,7 +166,10 @@ impl fmt::Display for Error {
                 write!(f, "radius is {value}; accepted: a finite number, at least 0")
             }
             Self::Distance { value } => {
-                write!(f, "distance is {value}; accepted: a number above 0, infinity included")
+                write!(
+                    f,
+                    "distance is {value}; accepted: a number above 0, infinity included; of a lens, one that radius / distance is finite for"
+                )
             }
         }
     }

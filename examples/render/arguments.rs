@@ -5,6 +5,7 @@
 use crate::assembly::ARITHMETICS;
 use crate::effects::Effects;
 use crate::file;
+use crate::sequence::Sequence;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, ValueEnum};
 use std::error::Error;
@@ -38,6 +39,10 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "H", default_value = "320", value_parser = side)]
     #[arg(allow_negative_numbers = true)]
     pub(crate) height: u16,
+
+    /// Where points come from
+    #[arg(long, value_name = "NAME", default_value = "sobol-owen", value_parser = Sequence::from_str)]
+    pub(crate) sequence: Sequence,
 
     /// Number type and its functions
     #[arg(long, value_name = "NAME", default_value = "libm-f32")]
@@ -149,6 +154,7 @@ fn accepted(long: &str) -> String {
         "spp" => "an integer 1..=65535".to_owned(),
         "width" | "height" => format!("an integer 1..={LONGEST}"),
         "arithmetic" => ARITHMETICS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", "),
+        "sequence" => Sequence::ALL.map(|(name, _)| name).join(", "),
         "out" => "the path of a file".to_owned(),
         "report" => "json".to_owned(),
         "threads" => "an integer 1..=255".to_owned(),

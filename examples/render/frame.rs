@@ -3,6 +3,7 @@
 //! A row's pixels are its alone and take their samples in order, so that the picture is the same for any number
 //! of threads and any ranges of samples.
 
+use crate::sequence::Sequence;
 use crate::tracer::Counts;
 use hemidisc::arithmetic::Real;
 use rayon::prelude::*;
@@ -18,6 +19,7 @@ pub(crate) struct Settings {
     pub(crate) size: [u32; 2],
     /// For each pixel.
     pub(crate) samples: u32,
+    pub(crate) sequence: Sequence,
     pub(crate) seed: u32,
 }
 

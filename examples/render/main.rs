@@ -21,6 +21,7 @@ mod picture;
 #[path = "../gallery/progress.rs"]
 mod progress;
 mod report;
+mod sequence;
 #[cfg(test)]
 mod tests;
 mod tracer;
@@ -65,6 +66,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
     let settings = Settings {
         size: [arguments.width.into(), arguments.height.into()],
         samples: arguments.spp.get().into(),
+        sequence: arguments.sequence,
         seed: arguments.seed,
     };
     let render = assembly::renderer_of(&arguments.arithmetic)

@@ -9,8 +9,10 @@ use crate::description::Scene;
 use crate::effects::{Effect, Effects};
 use crate::file;
 use crate::frame::{Frame, Settings};
+use crate::sequence::Sequence;
 
-const SMALL: Settings = Settings { size: [24, 16], samples: 4, seed: 5 };
+const SMALL: Settings =
+    Settings { size: [24, 16], samples: 4, sequence: Sequence::SobolOwen, seed: 5 };
 
 fn scene(name: &str) -> Scene {
     let found = file::scene(name);

@@ -52,10 +52,13 @@ where
     ///
     /// # Errors
     /// [`Error::Radius`] for a radius that is not a finite number from 0 on, [`Error::Distance`] for a
-    /// distance that is not above 0.
+    /// distance that is not above 0, or so near that radius / distance is no finite number.
     pub fn new(aperture: M, radius: R, focal_distance: R) -> Result<Self, Error> {
         let radius = checked_radius(radius)?;
         let nearness = at_most_max(checked_distance(focal_distance)?);
+        if !(radius * nearness).finite() {
+            return Err(Error::Distance { value: focal_distance.into() });
+        }
         Ok(Self { aperture, radius, nearness })
     }
 
@@ -79,9 +82,10 @@ where
         }
     }
 
-    /// Radius of the blur, at a distance ahead, of a point in focus there: r |1 - distance / f|.
+    /// Radius of the blur, at a finite distance ahead, of a point in focus there: r |1 - distance / f|, at most MAX.
     #[inline]
     pub fn circle_of_confusion(&self, distance: R) -> R {
-        self.radius * (R::ONE - distance * self.nearness).magnitude()
+        let blur = (self.radius - distance * (self.radius * self.nearness)).magnitude();
+        if blur.finite() { blur } else { R::MAX }
     }
 }

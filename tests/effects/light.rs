@@ -92,6 +92,29 @@ fn no_light_where_none_goes<A: Float>() {
     }
 }
 
+/// A receiver comes as near to a point light as numbers go: weights stay finite, and where the square of the
+/// distance has no room they are 0.
+fn nearness_has_an_end<A: Float>() {
+    let light = lamp::<A>(0.0, 0.0);
+    let (mut distance, mut lit) = (A::Real::ONE, 0);
+    while distance > A::Real::ZERO {
+        let sample = light.sample([A::Real::ZERO, A::Real::ZERO, -distance], [0, 0]);
+        let [weight, density]: [f64; 2] = wide([sample.weight, sample.density]);
+        assert!(weight.is_finite() && density.is_finite(), "{weight} {density}");
+        let exact = 1.0 / distance.into().powi(2);
+        if exact < A::Real::MAX.into() / 2.0 {
+            assert_near(weight / exact, 1.0, A::EPS, "weight");
+            lit += 1;
+        } else if exact > A::Real::MAX.into() {
+            assert_eq!([weight, density], [0.0; 2]);
+            let direction: [f64; 3] = wide(sample.direction);
+            assert_eq!(dot(direction, direction), 1.0);
+        }
+        distance = distance * A::Real::HALF;
+    }
+    assert!(lit >= 63, "{lit}");
+}
+
 /// A light of radius 0 is a point: cos / d^2, whatever the coordinates, and no direction meets it.
 fn a_point_light_is_exact<A: Float>() {
     let light = lamp::<A>(2.0, 0.0);
@@ -117,5 +140,5 @@ fn a_bad_radius_is_refused<A: Float>() {
 
 each_float!(
     irradiance_is_that_of_the_closed_form densities_are_per_steradian no_light_where_none_goes
-    a_point_light_is_exact a_bad_radius_is_refused
+    nearness_has_an_end a_point_light_is_exact a_bad_radius_is_refused
 );

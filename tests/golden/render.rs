@@ -4,7 +4,7 @@
 
 use super::tracer::{
     Ambient, Camera, Checker, Finish, Lens, Light, Material, Mirror, Pinhole, Plane, PointLight,
-    Reflection, Renderer, Sky, Sphere, Unoccluded,
+    Points, Reflection, Renderer, Sky, Sphere, Unoccluded, sobol_owen,
 };
 use core::fmt::Arguments;
 use hemidisc::arithmetic::{Real, Root};
@@ -21,7 +21,7 @@ pub trait Visitor<A: Root> {
     fn scene<L: Lens<A>, S: Light<A>, O: Ambient<A>, G: Reflection<A>>(
         &mut self,
         name: &'static str,
-        scene: Renderer<'_, A, L, S, O, G>,
+        scene: Renderer<'_, A, L, S, O, G, impl Points>,
     );
 }
 
@@ -92,6 +92,7 @@ where
             sky,
             spheres: &spheres,
             planes: &planes,
+            points: sobol_owen,
             seed: 7,
         },
     );
@@ -132,7 +133,7 @@ impl<A: Root<Real: Digestible>> Visitor<A> for Digests<'_> {
     fn scene<L: Lens<A>, S: Light<A>, O: Ambient<A>, G: Reflection<A>>(
         &mut self,
         name: &'static str,
-        scene: Renderer<'_, A, L, S, O, G>,
+        scene: Renderer<'_, A, L, S, O, G, impl Points>,
     ) {
         let (mut digest, [_, height]) = (Digest::new(), SIZE);
         for y in 0..height {

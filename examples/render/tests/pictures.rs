@@ -116,7 +116,7 @@ fn a_floor_under_a_light_is_as_bright_as_it_should_be() {
     )";
     let mut scene = file::parsed(text).unwrap();
     scene.camera.field_of_view = Angle(0.001);
-    let settings = Settings { size: [1, 1], samples: 1, seed: 0 };
+    let settings = Settings { size: [1, 1], samples: 1, ..SMALL };
     // Looked at 1.8 from the point below the light.
     let square: f64 = 1.8 * 1.8 + 2.0 * 2.0;
     let shape = (2.0 / square.sqrt()).powi(2) / square / std::f64::consts::PI;

@@ -1,26 +1,36 @@
 //! The four effects as the renderer asks for them, and what stands in for each where it is absent.
 //!
-//! A stand-in draws no points, and its rays count as the renderer's own.
+//! `draw` gives the effect's point of the sample. A stand-in does not call it, and its rays count as the renderer's
+//! own.
 
-use super::sample::{GLOSSY, LENS, LIGHT, OCCLUSION};
 use super::vector::{along, difference, dot};
-use super::{Counts, Sample, Vector};
+use super::{Counts, Vector};
 use hemidisc::arithmetic::{Arithmetic, Real, Root};
 use hemidisc::effect::{
     AmbientOcclusion, DirectionSample, DiscLight, Glossy, LensRay, LightSample, ThinLens,
 };
 use hemidisc::{Frame, Map};
 
+/// Draws the point of a sample.
+pub trait Draw: FnOnce() -> [u32; 2] {}
+
+impl<F: FnOnce() -> [u32; 2]> Draw for F {}
+
 /// Where the rays of a pixel start.
 pub trait Lens<A: Root> {
     /// A ray in camera space, for the ray (d_x, d_y, 1) through the centre.
-    fn ray(&self, centre: [A::Real; 2], of: Sample, counts: &mut Counts) -> LensRay<A::Real>;
+    fn ray(&self, centre: [A::Real; 2], draw: impl Draw, counts: &mut Counts) -> LensRay<A::Real>;
 }
 
 /// Where direct light comes from.
 pub trait Light<A: Root> {
     /// A point of the light as a receiver sees it.
-    fn sample(&self, receiver: Vector<A>, of: Sample, counts: &mut Counts) -> LightSample<A::Real>;
+    fn sample(
+        &self,
+        receiver: Vector<A>,
+        draw: impl Draw,
+        counts: &mut Counts,
+    ) -> LightSample<A::Real>;
     /// One ray between the receiver and the light.
     fn send(counts: &mut Counts);
 }
@@ -32,7 +42,7 @@ pub trait Ambient<A: Root> {
         &self,
         normal: Vector<A>,
         meets: impl Fn(Vector<A>, A::Real) -> Option<A::Real>,
-        of: Sample,
+        draw: impl Draw,
         counts: &mut Counts,
     ) -> A::Real;
 }
@@ -44,7 +54,7 @@ pub trait Reflection<A: Root> {
         &self,
         arriving: Vector<A>,
         normal: Vector<A>,
-        of: Sample,
+        draw: impl Draw,
         counts: &mut Counts,
     ) -> Option<DirectionSample<A::Real>>;
 }
@@ -55,7 +65,7 @@ pub struct Pinhole;
 
 impl<A: Root> Lens<A> for Pinhole {
     #[inline]
-    fn ray(&self, [x, y]: [A::Real; 2], _: Sample, counts: &mut Counts) -> LensRay<A::Real> {
+    fn ray(&self, [x, y]: [A::Real; 2], _: impl Draw, counts: &mut Counts) -> LensRay<A::Real> {
         counts.base.send();
         LensRay { direction: [x, y, A::Real::ONE], ..LensRay::default() }
     }
@@ -66,10 +76,10 @@ where
     M: Map<Arithmetic = A, Point = [A::Real; 2]>,
 {
     #[inline]
-    fn ray(&self, centre: [A::Real; 2], of: Sample, counts: &mut Counts) -> LensRay<A::Real> {
+    fn ray(&self, centre: [A::Real; 2], draw: impl Draw, counts: &mut Counts) -> LensRay<A::Real> {
         counts.lens.draw();
         counts.lens.send();
-        ThinLens::ray(self, centre, of.point(LENS))
+        ThinLens::ray(self, centre, draw())
     }
 }
 
@@ -87,10 +97,10 @@ pub struct PointLight<A: Arithmetic> {
 impl<A: Root> Light<A> for PointLight<A> {
     /// Rounds as [`DiscLight::sample`] does, so that a disc of radius 0 gives the same bits.
     #[inline]
-    fn sample(&self, receiver: Vector<A>, _: Sample, _: &mut Counts) -> LightSample<A::Real> {
+    fn sample(&self, receiver: Vector<A>, _: impl Draw, _: &mut Counts) -> LightSample<A::Real> {
         let to_light = difference(self.position, receiver);
         let square = dot(to_light, to_light);
-        if !(square > A::Real::ZERO && square.finite()) {
+        if !(square > A::Real::ONE / A::Real::MAX && square.finite()) {
             return LightSample::default();
         }
         let distance = A::sqrt(square);
@@ -109,9 +119,14 @@ impl<A: Root> Light<A> for PointLight<A> {
 
 impl<A: Root> Light<A> for DiscLight<A> {
     #[inline]
-    fn sample(&self, receiver: Vector<A>, of: Sample, counts: &mut Counts) -> LightSample<A::Real> {
+    fn sample(
+        &self,
+        receiver: Vector<A>,
+        draw: impl Draw,
+        counts: &mut Counts,
+    ) -> LightSample<A::Real> {
         counts.light.draw();
-        DiscLight::sample(self, receiver, of.point(LIGHT))
+        DiscLight::sample(self, receiver, draw())
     }
 
     #[inline]
@@ -130,7 +145,7 @@ impl<A: Root> Ambient<A> for Unoccluded {
         &self,
         _: Vector<A>,
         _: impl Fn(Vector<A>, A::Real) -> Option<A::Real>,
-        _: Sample,
+        _: impl Draw,
         _: &mut Counts,
     ) -> A::Real {
         A::Real::ONE
@@ -143,14 +158,14 @@ impl<A: Root> Ambient<A> for AmbientOcclusion<A> {
         &self,
         normal: Vector<A>,
         meets: impl Fn(Vector<A>, A::Real) -> Option<A::Real>,
-        of: Sample,
+        draw: impl Draw,
         counts: &mut Counts,
     ) -> A::Real {
         // A normal that is none has no directions about it.
         let Ok(frame) = Frame::normalized::<A>(normal) else { return A::Real::ONE };
         counts.occlusion.draw();
         counts.occlusion.send();
-        let sample = self.sample(&frame, of.point(OCCLUSION));
+        let sample = self.sample(&frame, draw());
         sample.weight * Self::openness(self, meets(sample.direction, self.reach()))
     }
 }
@@ -165,7 +180,7 @@ impl<A: Root> Reflection<A> for Mirror {
         &self,
         arriving: Vector<A>,
         normal: Vector<A>,
-        _: Sample,
+        _: impl Draw,
         counts: &mut Counts,
     ) -> Option<DirectionSample<A::Real>> {
         counts.base.send();
@@ -181,11 +196,11 @@ impl<A: Root> Reflection<A> for Glossy<A> {
         &self,
         arriving: Vector<A>,
         normal: Vector<A>,
-        of: Sample,
+        draw: impl Draw,
         counts: &mut Counts,
     ) -> Option<DirectionSample<A::Real>> {
         counts.glossy.draw();
-        let sample = Glossy::sample(self, arriving, normal, of.point(GLOSSY));
+        let sample = Glossy::sample(self, arriving, normal, draw());
         counts.glossy.rays += u64::from(sample.is_some());
         sample
     }

@@ -1,10 +1,10 @@
 //! What a pixel sees.
 
 use super::geometry::Hit;
-use super::sample::FILTER;
+use super::sample::{FILTER, GLOSSY, LENS, LIGHT, OCCLUSION, Sample};
 use super::vector::{along, dot, product, scaled, sum};
 use super::{
-    Ambient, Camera, Counts, Finish, Lens, Light, Mirror, Plane, Ray, Reflection, Sample, Sphere,
+    Ambient, Camera, Counts, Finish, Lens, Light, Mirror, Plane, Points, Ray, Reflection, Sphere,
     Vector,
 };
 use core::ops::Range;
@@ -22,7 +22,7 @@ pub struct Sky<A: Arithmetic> {
 
 /// A scene with the effects that it is rendered with.
 #[derive(Clone, Copy, Debug)]
-pub struct Renderer<'a, A: Arithmetic, L, S, O, G> {
+pub struct Renderer<'a, A: Arithmetic, L, S, O, G, P> {
     /// Where it is seen from.
     pub camera: Camera<A>,
     /// How rays leave the camera.
@@ -41,17 +41,20 @@ pub struct Renderer<'a, A: Arithmetic, L, S, O, G> {
     pub spheres: &'a [Sphere<A, G>],
     /// All planes.
     pub planes: &'a [Plane<A, G>],
+    /// Where points come from.
+    pub points: P,
     /// Of the noise.
     pub seed: u32,
 }
 
-impl<A, L, S, O, G> Renderer<'_, A, L, S, O, G>
+impl<A, L, S, O, G, P> Renderer<'_, A, L, S, O, G, P>
 where
     A: Root,
     L: Lens<A>,
     S: Light<A>,
     O: Ambient<A>,
     G: Reflection<A>,
+    P: Points,
 {
     /// Adds a range of samples to each of the sums, which are those of the pixels from (x, y) to the right.
     pub fn row(&self, [mut x, y]: [u32; 2], samples: Range<u32>, sums: &mut [Vector<A>]) -> Counts {
@@ -70,19 +73,20 @@ where
     /// One sample of a pixel.
     fn radiance(&self, pixel: [u32; 2], of: Sample, counts: &mut Counts) -> Vector<A> {
         counts.base.draw();
-        let centre = self.camera.image_point(pixel, A::square(of.point(FILTER)));
-        let lens = self.lens.ray(centre, of, counts);
+        let centre = self.camera.image_point(pixel, A::square(of.point(FILTER, &self.points)));
+        let lens = self.lens.ray(centre, || of.point(LENS, &self.points), counts);
         let ray = self.camera.ray(lens.origin, lens.direction);
         let Some(hit) = self.nearest(&ray) else { return self.sky.along(ray.direction) };
         let own = self.lit(&hit, of, counts);
         let arriving = ray.direction;
+        let draw = || of.point(GLOSSY, &self.points);
         let (reflectance, sample) = match &hit.material.finish {
             Finish::Matte => return own,
             Finish::Mirror(reflectance) => {
-                (reflectance, Reflection::<A>::sample(&Mirror, arriving, hit.normal, of, counts))
+                (reflectance, Reflection::<A>::sample(&Mirror, arriving, hit.normal, draw, counts))
             }
             Finish::Glossy(reflectance, lobe) => {
-                (reflectance, lobe.sample(arriving, hit.normal, of, counts))
+                (reflectance, lobe.sample(arriving, hit.normal, draw, counts))
             }
         };
         let Some(sample) = sample else { return own };
@@ -96,7 +100,7 @@ where
 
     /// Emission, direct light and ambient light: all but reflection.
     fn lit(&self, hit: &Hit<'_, A, G>, of: Sample, counts: &mut Counts) -> Vector<A> {
-        let light = self.light.sample(hit.point, of, counts);
+        let light = self.light.sample(hit.point, || of.point(LIGHT, &self.points), counts);
         let share = light.weight * dot(light.direction, hit.normal) * A::Real::FRAC_1_PI;
         let mut arriving = [A::Real::ZERO; 3];
         if share > A::Real::ZERO {
@@ -106,7 +110,12 @@ where
             }
         }
         let meets = |direction, reach| self.meets(&hit.leaving(direction), reach);
-        let openness = self.occlusion.openness(hit.normal, meets, of, counts);
+        let openness = self.occlusion.openness(
+            hit.normal,
+            meets,
+            || of.point(OCCLUSION, &self.points),
+            counts,
+        );
         let arriving = along(arriving, openness, self.ambient);
         sum(hit.material.emission, product(hit.albedo, arriving))
     }

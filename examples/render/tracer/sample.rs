@@ -4,6 +4,17 @@ use core::ops::AddAssign;
 use hemidisc::Domain;
 use hemidisc::sequence::SobolOwen;
 
+/// The point of a domain and a number: what a sequence is to the renderer.
+pub trait Points: Fn(Domain, u32) -> [u32; 2] {}
+
+impl<F: Fn(Domain, u32) -> [u32; 2]> Points for F {}
+
+/// Points of the Owen-scrambled Sobol sequence: well spread however many samples there are.
+#[inline]
+pub const fn sobol_owen(domain: Domain, index: u32) -> [u32; 2] {
+    SobolOwen::in_domain(domain).at(index)
+}
+
 /// The keys of the domains under a pixel's, one for each use of points.
 pub(super) const FILTER: u32 = 0;
 pub(super) const LENS: u32 = 1;
@@ -15,21 +26,21 @@ pub(super) const BOUNCE: u32 = 5;
 
 /// A sample's number, and the domain of its pixel or of a bounce there.
 #[derive(Clone, Copy, Debug)]
-pub struct Sample {
+pub(super) struct Sample {
     domain: Domain,
     index: u32,
 }
 
 impl Sample {
     /// The sample of a number in the domain of a pixel.
-    pub const fn new(pixel: Domain, index: u32) -> Self {
+    pub(super) const fn new(pixel: Domain, index: u32) -> Self {
         Self { domain: pixel, index }
     }
 
     /// The point of an effect.
     #[inline]
-    pub(super) const fn point(self, effect: u32) -> [u32; 2] {
-        SobolOwen::in_domain(self.domain.child(effect)).at(self.index)
+    pub(super) fn point(self, effect: u32, points: &impl Points) -> [u32; 2] {
+        points(self.domain.child(effect), self.index)
     }
 
     /// The sample where a reflected ray ends.

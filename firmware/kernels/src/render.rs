@@ -3,7 +3,7 @@
 
 use crate::Visitor;
 use crate::scenes::{self, Visitor as SceneVisitor};
-use crate::tracer::{Ambient, Lens, Light, Reflection, Renderer};
+use crate::tracer::{Ambient, Lens, Light, Points, Reflection, Renderer};
 use core::hint::black_box;
 use hemidisc::arithmetic::Root;
 use hemidisc::{FastF32, MicromathF32};
@@ -15,7 +15,7 @@ impl<A: Root<Real = f32>> SceneVisitor<A> for Rows<'_> {
     fn scene<L: Lens<A>, S: Light<A>, O: Ambient<A>, G: Reflection<A>>(
         &mut self,
         _: &'static str,
-        scene: Renderer<'_, A, L, S, O, G>,
+        scene: Renderer<'_, A, L, S, O, G, impl Points>,
     ) {
         self.0.fill([0.0; 3]);
         for (row, y) in self.0.chunks_mut(64).zip([6, 18, 30, 42]) {
