@@ -75,11 +75,14 @@ fn bad_lenses_are_refused<A: Float>() {
     for focus in [0.0, -1.0, f64::NAN] {
         assert!(matches!(lens(1.0, focus), Err(Error::Distance { .. })), "{focus}");
     }
+    let pinhole = lens(0.0, 1.0).unwrap();
+    assert_eq!(pinhole.circle_of_confusion(A::Real::MAX), A::Real::ZERO);
     // A ray's slope, r / f, has to be a number.
     let [most, least] = [A::Real::MAX, A::Real::ONE / A::Real::MAX];
     let refused = ThinLens::new(Concentric::<A>::new(), most, A::Real::HALF);
     assert_eq!(refused, Err(Error::Distance { value: 0.5 }));
     let steep = ThinLens::new(Concentric::<A>::new(), A::Real::HALF, least).unwrap();
+    assert_eq!(steep.circle_of_confusion(A::Real::MAX), A::Real::MAX);
     assert!(
         steep.ray([A::Real::ZERO; 2], [0, 7]).direction.into_iter().all(|x| x.into().is_finite())
     );
