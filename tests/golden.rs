@@ -11,6 +11,9 @@
 #[macro_use]
 mod arithmetics;
 #[cfg(feature = "micromath")]
+#[path = "golden/bare.rs"]
+mod bare;
+#[cfg(feature = "micromath")]
 #[path = "golden/effects.rs"]
 mod effects;
 #[path = "golden/lines.rs"]
@@ -76,6 +79,30 @@ fn pictures_are_as_recorded() {
     render::digests::<FastF32>(&mut line).unwrap();
     render::digests::<MicromathF32>(&mut line).unwrap();
     compare("render.txt", &text);
+}
+
+/// Absent effects leave the picture of a renderer that never had one, bit for bit.
+#[cfg(feature = "micromath")]
+fn absent_effects_leave_no_trace<A: hemidisc::arithmetic::Root>() {
+    render::with_bare::<A>(|scene| {
+        for y in 0..render::SIZE[1] {
+            let [mut found, mut bare] = [[[A::Real::default(); 3]; render::SIZE[0] as usize]; 2];
+            scene.row([0, y], 0..3, &mut found);
+            bare::row(&scene, [0, y], 0..3, &mut bare);
+            let bits = |row: [[A::Real; 3]; _]| row.map(|pixel| pixel.map(|x| x.into().to_bits()));
+            assert_eq!(bits(found), bits(bare), "{} row {y}", A::NAME);
+        }
+    })
+    .unwrap();
+}
+
+#[cfg(feature = "micromath")]
+#[test]
+fn a_picture_without_effects_is_that_of_a_renderer_without_them() {
+    absent_effects_leave_no_trace::<hemidisc::LibmF64>();
+    absent_effects_leave_no_trace::<hemidisc::LibmF32>();
+    absent_effects_leave_no_trace::<hemidisc::FastF32>();
+    absent_effects_leave_no_trace::<hemidisc::MicromathF32>();
 }
 
 /// The version of a dependency that the lock file pins.

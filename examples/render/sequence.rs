@@ -1,6 +1,6 @@
 //! The sequences that a picture can be rendered with, to compare their noise.
 
-use crate::tracer::sobol_owen;
+use crate::tracer::{Owen, Points};
 use hemidisc::Domain;
 use hemidisc::sequence::{MultiJittered, Random, Sequence as _, Shuffled};
 use std::str::FromStr;
@@ -22,12 +22,25 @@ impl Sequence {
     ];
 
     /// The points of a pixel of so many samples.
-    pub(crate) fn points(self, samples: u32) -> impl Fn(Domain, u32) -> [u32; 2] {
-        let [columns, rows] = hemidisc::catalogue::grid(samples);
-        move |domain, index| match self {
-            Self::SobolOwen => sobol_owen(domain, index),
-            Self::Random => Random::new(domain.seed()).at(index),
-            Self::MultiJittered => {
+    pub(crate) const fn points(self, samples: u32) -> Drawn {
+        Drawn { sequence: self, grid: hemidisc::catalogue::grid(samples) }
+    }
+}
+
+/// The points of a sequence.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Drawn {
+    sequence: Sequence,
+    grid: [u32; 2],
+}
+
+impl Points for Drawn {
+    fn point(&self, domain: Domain, index: u32) -> [u32; 2] {
+        match self.sequence {
+            Sequence::SobolOwen => Owen.point(domain, index),
+            Sequence::Random => Random::new(domain.seed()).at(index),
+            Sequence::MultiJittered => {
+                let [columns, rows] = self.grid;
                 let set = MultiJittered::new(columns, rows, domain.child(0).seed());
                 // Two effects' cells in the same order would be one set of cells.
                 Shuffled::new(set.expect("at most 2^16 samples"), domain).point(index)

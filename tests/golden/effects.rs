@@ -2,7 +2,7 @@
 //!
 //! As `lines.rs`, compiled by the host and the firmware alike.
 
-use super::lines::Lines;
+use core::fmt::Arguments;
 use hemidisc::arithmetic::{Real, Root};
 use hemidisc::effect::{
     AmbientOcclusion, BelowHorizon, DirectionSample, DiscLight, Glossy, Polygon, ThinLens,
@@ -55,7 +55,7 @@ fn light<A: Root<Real: Digestible>>(light: DiscLight<A>) -> u64 {
 }
 
 /// The lines of one arithmetic.
-pub fn effects<A: Root<Real: Digestible>>(lines: Lines) -> Result<(), Error> {
+pub fn effects<A: Root<Real: Digestible>>(lines: &mut dyn FnMut(Arguments)) -> Result<(), Error> {
     let (zero, half, one) = (A::Real::ZERO, A::Real::HALF, A::Real::ONE);
     let mut line = |effect: &str, digest: u64| {
         lines(format_args!("{} {effect} {digest:016x}", A::NAME));

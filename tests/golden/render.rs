@@ -1,10 +1,12 @@
-//! Two small scenes in code and the lines of `render.txt`: digests of both at 64 x 48, in an arithmetic of floats.
+//! A small scene in code, with no effect, each of the four alone and all of them, and the lines of `render.txt`:
+//! digests of each at 64 x 48, in an arithmetic of floats.
 //!
 //! As `lines.rs`, compiled by the host and the firmware alike; so is the renderer.
 
+use super::bare;
 use super::tracer::{
-    Ambient, Camera, Checker, Finish, Lens, Light, Material, Mirror, Pinhole, Plane, PointLight,
-    Points, Reflection, Renderer, Sky, Sphere, Unoccluded, sobol_owen,
+    Ambient, Camera, Checker, Finish, Lens, Light, Material, Mirror, Owen, Pinhole, Plane,
+    PointLight, Points, Reflection, Renderer, Sky, Sphere, Unoccluded,
 };
 use core::fmt::Arguments;
 use hemidisc::arithmetic::{Real, Root};
@@ -12,7 +14,8 @@ use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygo
 use hemidisc::invariant::{Digest, Digestible};
 use hemidisc::{Error, Frame};
 
-const SIZE: [u32; 2] = [64, 48];
+/// Pixels across and down.
+pub const SIZE: [u32; 2] = [64, 48];
 const SAMPLES: u32 = 2;
 
 /// Takes a scene with the effects that it calls for, whatever their types.
@@ -40,15 +43,14 @@ struct Parts<L, S, O, G> {
     lens: L,
     light: S,
     occlusion: O,
-    silver: G,
-    brass: G,
+    /// Of silver and of brass.
+    gloss: [G; 2],
 }
 
 /// Three balls on a chequered table.
 fn table<A, L, S, O, G>(
-    name: &'static str,
     parts: Parts<L, S, O, G>,
-    visitor: &mut impl Visitor<A>,
+    take: impl FnOnce(Renderer<'_, A, L, S, O, G, Owen>),
 ) -> Result<(), Error>
 where
     A: Root,
@@ -64,8 +66,9 @@ where
         radius: milli(radius),
         material,
     };
-    let silver = Finish::Glossy(vector([800, 800, 750]), parts.silver);
-    let brass = Finish::Glossy(vector([700, 550, 250]), parts.brass);
+    let [silver, brass] = parts.gloss;
+    let silver = Finish::Glossy(vector([800, 800, 750]), silver);
+    let brass = Finish::Glossy(vector([700, 550, 250]), brass);
     let spheres = [
         ball([0, 800, -200], 800, material([30, 30, 30], silver)),
         ball([1400, 500, 400], 500, material([120, 80, 30], brass)),
@@ -80,50 +83,96 @@ where
     let camera =
         Camera::new(vector([200, 1700, 5000]), vector([-30, -210, -1000]), milli(325), SIZE)?;
     let sky = Sky { horizon: vector([500, 500, 550]), zenith: vector([150, 250, 500]) };
-    visitor.scene(
-        name,
-        Renderer {
-            camera,
-            lens: parts.lens,
-            light: parts.light,
-            intensity: vector([58_000, 53_000, 45_000]),
-            ambient: vector([160, 170, 210]),
-            occlusion: parts.occlusion,
-            sky,
-            spheres: &spheres,
-            planes: &planes,
-            points: sobol_owen,
-            seed: 7,
-        },
-    );
+    take(Renderer {
+        camera,
+        lens: parts.lens,
+        light: parts.light,
+        intensity: vector([58_000, 53_000, 45_000]),
+        ambient: vector([160, 170, 210]),
+        occlusion: parts.occlusion,
+        sky,
+        spheres: &spheres,
+        planes: &planes,
+        points: Owen,
+        seed: 7,
+    });
     Ok(())
 }
 
 const LAMP: [i32; 3] = [-2600, 4600, 2600];
 
-/// The table without an effect.
-pub fn plain<A: Root>(visitor: &mut impl Visitor<A>) -> Result<(), Error> {
-    let light =
-        PointLight { position: vector(LAMP), normal: vector([0, -1000, 0]), two_sided: false };
-    let (lens, occlusion) = (Pinhole, Unoccluded);
-    table("plain", Parts { lens, light, occlusion, silver: Mirror, brass: Mirror }, visitor)
+fn point<A: Root>() -> PointLight<A> {
+    PointLight { position: vector(LAMP), normal: vector([0, -1000, 0]), two_sided: false }
 }
 
-/// The table with all four; the exponents are those of silver and brass, 3000 and 30.
-pub fn still_life<A: Root>(
-    [silver, brass]: [A::Parameter; 2],
+fn lens<A: Root>() -> Result<ThinLens<Polygon<A, 6>, A::Real>, Error> {
+    ThinLens::new(Polygon::new(1 << 30), milli(100), milli(4900))
+}
+
+fn disc<A: Root>() -> Result<DiscLight<A>, Error> {
+    DiscLight::new(vector(LAMP), Frame::new(vector([0, -1000, 0]))?, milli(600))
+}
+
+fn occlusion<A: Root>() -> Result<AmbientOcclusion<A>, Error> {
+    AmbientOcclusion::new(milli(1200))
+}
+
+fn gloss<A: Root>([silver, brass]: [A::Parameter; 2]) -> Result<[Glossy<A>; 2], Error> {
+    let gloss = |exponent| Glossy::new(exponent, BelowHorizon::Flip);
+    Ok([gloss(silver)?, gloss(brass)?])
+}
+
+/// The table without an effect.
+pub fn plain<A: Root>(visitor: &mut impl Visitor<A>) -> Result<(), Error> {
+    with_bare(|scene| visitor.scene("plain", scene))
+}
+
+/// The same, its types known.
+pub fn with_bare<A: Root>(take: impl FnOnce(bare::Scene<'_, A, Owen>)) -> Result<(), Error> {
+    let gloss = [Mirror, Mirror];
+    table(Parts { lens: Pinhole, light: point(), occlusion: Unoccluded, gloss }, take)
+}
+
+/// The table with depth of field alone.
+pub fn with_lens<A: Root>(visitor: &mut impl Visitor<A>) -> Result<(), Error> {
+    let gloss = [Mirror, Mirror];
+    let parts = Parts { lens: lens()?, light: point(), occlusion: Unoccluded, gloss };
+    table(parts, |scene| visitor.scene("lens", scene))
+}
+
+/// The table with soft shadows alone.
+pub fn with_light<A: Root>(visitor: &mut impl Visitor<A>) -> Result<(), Error> {
+    let gloss = [Mirror, Mirror];
+    let parts = Parts { lens: Pinhole, light: disc()?, occlusion: Unoccluded, gloss };
+    table(parts, |scene| visitor.scene("light", scene))
+}
+
+/// The table with occlusion alone.
+pub fn with_occlusion<A: Root>(visitor: &mut impl Visitor<A>) -> Result<(), Error> {
+    let gloss = [Mirror, Mirror];
+    let parts = Parts { lens: Pinhole, light: point(), occlusion: occlusion()?, gloss };
+    table(parts, |scene| visitor.scene("occlusion", scene))
+}
+
+/// The table with glossy reflection alone; the exponents are those of silver and brass, 3000 and 30.
+pub fn with_gloss<A: Root>(
+    exponents: [A::Parameter; 2],
     visitor: &mut impl Visitor<A>,
 ) -> Result<(), Error> {
-    let gloss = |exponent| Glossy::<A>::new(exponent, BelowHorizon::Flip);
-    let down = Frame::new(vector([0, -1000, 0]))?;
-    let parts = Parts {
-        lens: ThinLens::new(Polygon::<A, 6>::new(1 << 30), milli(100), milli(4900))?,
-        light: DiscLight::<A>::new(vector(LAMP), down, milli(600))?,
-        occlusion: AmbientOcclusion::<A>::new(milli(1200))?,
-        silver: gloss(silver)?,
-        brass: gloss(brass)?,
-    };
-    table("still-life", parts, visitor)
+    let gloss = gloss(exponents)?;
+    table(Parts { lens: Pinhole, light: point(), occlusion: Unoccluded, gloss }, |scene| {
+        visitor.scene("glossy", scene)
+    })
+}
+
+/// The table with all four.
+pub fn still_life<A: Root>(
+    exponents: [A::Parameter; 2],
+    visitor: &mut impl Visitor<A>,
+) -> Result<(), Error> {
+    let gloss = gloss(exponents)?;
+    let parts = Parts { lens: lens()?, light: disc()?, occlusion: occlusion()?, gloss };
+    table(parts, |scene| visitor.scene("still-life", scene))
 }
 
 /// A line for each scene.
@@ -150,8 +199,13 @@ impl<A: Root<Real: Digestible>> Visitor<A> for Digests<'_> {
 pub fn digests<A: Root<Real: Digestible>>(lines: &mut dyn FnMut(Arguments)) -> Result<(), Error> {
     let mut visitor = Digests(lines);
     plain::<A>(&mut visitor)?;
+    with_lens::<A>(&mut visitor)?;
+    with_light::<A>(&mut visitor)?;
+    with_occlusion::<A>(&mut visitor)?;
     let (Ok(silver), Ok(brass)) = ("3000".parse(), "30".parse()) else {
         return Err(Error::Exponent { value: f64::NAN });
     };
-    still_life::<A>([silver, brass], &mut visitor)
+    let exponents = [silver, brass];
+    with_gloss::<A>(exponents, &mut visitor)?;
+    still_life::<A>(exponents, &mut visitor)
 }

@@ -49,7 +49,7 @@ impl<A: Root> Camera<A> {
 
     /// The point of the image plane z = 1 at a place within a pixel, both from the top left.
     #[inline]
-    pub(super) fn image_point(&self, pixel: [u32; 2], within: [A::Real; 2]) -> [A::Real; 2] {
+    pub fn image_point(&self, pixel: [u32; 2], within: [A::Real; 2]) -> [A::Real; 2] {
         let [x, y] = core::array::from_fn(|i| {
             (count::<A::Real>(pixel[i]) + within[i] - self.centre[i]) * self.pixel
         });
@@ -58,7 +58,7 @@ impl<A: Root> Camera<A> {
 
     /// The world's ray of one in camera space.
     #[inline]
-    pub(super) fn ray(&self, origin: Vector<A>, direction: Vector<A>) -> Ray<A> {
+    pub fn ray(&self, origin: Vector<A>, direction: Vector<A>) -> Ray<A> {
         let turned = |[x, y, z]: Vector<A>| {
             let [right, up, ahead] = self.axes;
             core::array::from_fn(|i| x * right[i] + y * up[i] + z * ahead[i])

@@ -62,12 +62,15 @@ pub struct Plane<A: Arithmetic, G> {
 
 /// Where a ray ends.
 #[derive(Debug)]
-pub(super) struct Hit<'a, A: Arithmetic, G> {
-    pub(super) point: [A::Real; 3],
+pub struct Hit<'a, A: Arithmetic, G> {
+    /// On the surface.
+    pub point: [A::Real; 3],
     /// Of unit length, on the side that the ray comes from.
-    pub(super) normal: [A::Real; 3],
-    pub(super) albedo: [A::Real; 3],
-    pub(super) material: &'a Material<A, G>,
+    pub normal: [A::Real; 3],
+    /// Reflectance of the diffuse part here.
+    pub albedo: [A::Real; 3],
+    /// What the surface is made of.
+    pub material: &'a Material<A, G>,
 }
 
 impl<A: Root, G> Sphere<A, G> {
@@ -76,7 +79,7 @@ impl<A: Root, G> Sphere<A, G> {
     /// The discriminant from the part of the way to the centre that is square to the ray: nothing cancels for a
     /// small sphere far away (E. Haines, J. Günther and T. Akenine-Möller in "Ray Tracing Gems", 2019, chapter 7).
     #[inline]
-    pub(super) fn meets(&self, ray: &Ray<A>) -> Option<A::Real> {
+    pub fn meets(&self, ray: &Ray<A>) -> Option<A::Real> {
         let to_centre = difference(self.centre, ray.origin);
         let middle = dot(to_centre, ray.direction);
         let across = along(to_centre, -middle, ray.direction);
@@ -91,8 +94,9 @@ impl<A: Root, G> Sphere<A, G> {
         }
     }
 
+    /// What a ray meets at a distance along it.
     #[inline]
-    pub(super) fn hit(&self, ray: &Ray<A>, distance: A::Real) -> Hit<'_, A, G> {
+    pub fn hit(&self, ray: &Ray<A>, distance: A::Real) -> Hit<'_, A, G> {
         let outward = unit::<A>(difference(ray.at(distance), self.centre));
         Hit {
             // On the sphere, not only near it.
@@ -107,14 +111,15 @@ impl<A: Root, G> Sphere<A, G> {
 impl<A: Root, G> Plane<A, G> {
     /// The distance along a ray, if there is one.
     #[inline]
-    pub(super) fn meets(&self, ray: &Ray<A>) -> Option<A::Real> {
+    pub fn meets(&self, ray: &Ray<A>) -> Option<A::Real> {
         let normal = self.frame.axes()[2];
         let distance = dot(difference(self.point, ray.origin), normal) / dot(ray.direction, normal);
         (distance > A::Real::ZERO && distance.finite()).then_some(distance)
     }
 
+    /// What a ray meets at a distance along it.
     #[inline]
-    pub(super) fn hit(&self, ray: &Ray<A>, distance: A::Real) -> Hit<'_, A, G> {
+    pub fn hit(&self, ray: &Ray<A>, distance: A::Real) -> Hit<'_, A, G> {
         let point = ray.at(distance);
         let albedo = match &self.checker {
             Some(checker) if self.odd(point, checker.size) => checker.albedo,

@@ -20,10 +20,8 @@ mod sample;
 mod vector;
 
 pub use camera::{Camera, Ray};
-pub use effects::{
-    Ambient, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Unoccluded,
-};
-pub use geometry::{Checker, Finish, Material, Plane, Sphere};
+pub use effects::{Ambient, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Unoccluded};
+pub use geometry::{Checker, Finish, Hit, Material, Plane, Sphere};
 pub use renderer::{Renderer, Sky};
-pub use sample::{Counts, Points, Tally, sobol_owen};
+pub use sample::{Counts, Owen, Points, Tally};
 pub use vector::Vector;

@@ -1,11 +1,10 @@
 //! What a pixel sees.
 
-use super::geometry::Hit;
 use super::sample::{FILTER, GLOSSY, LENS, LIGHT, OCCLUSION, Sample};
 use super::vector::{along, dot, product, scaled, sum};
 use super::{
-    Ambient, Camera, Counts, Finish, Lens, Light, Mirror, Plane, Points, Ray, Reflection, Sphere,
-    Vector,
+    Ambient, Camera, Counts, Finish, Hit, Lens, Light, Mirror, Plane, Points, Ray, Reflection,
+    Sphere, Vector,
 };
 use core::ops::Range;
 use hemidisc::Domain;
@@ -150,7 +149,8 @@ where
 }
 
 impl<A: Root> Sky<A> {
-    fn along(&self, direction: Vector<A>) -> Vector<A> {
+    /// The radiance from a direction of unit length.
+    pub fn along(&self, direction: Vector<A>) -> Vector<A> {
         let height = direction[1];
         if height > A::Real::ZERO {
             along(scaled(A::Real::ONE - height, self.horizon), height, self.zenith)

@@ -4,15 +4,21 @@ use core::ops::AddAssign;
 use hemidisc::Domain;
 use hemidisc::sequence::SobolOwen;
 
-/// The point of a domain and a number: what a sequence is to the renderer.
-pub trait Points: Fn(Domain, u32) -> [u32; 2] {}
+/// What a sequence is to the renderer.
+pub trait Points {
+    /// The point of a number in a domain.
+    fn point(&self, domain: Domain, index: u32) -> [u32; 2];
+}
 
-impl<F: Fn(Domain, u32) -> [u32; 2]> Points for F {}
+/// The Owen-scrambled Sobol sequence: well spread however many samples there are.
+#[derive(Clone, Copy, Debug)]
+pub struct Owen;
 
-/// Points of the Owen-scrambled Sobol sequence: well spread however many samples there are.
-#[inline]
-pub const fn sobol_owen(domain: Domain, index: u32) -> [u32; 2] {
-    SobolOwen::in_domain(domain).at(index)
+impl Points for Owen {
+    #[inline]
+    fn point(&self, domain: Domain, index: u32) -> [u32; 2] {
+        SobolOwen::in_domain(domain).at(index)
+    }
 }
 
 /// The keys of the domains under a pixel's, one for each use of points.
@@ -40,7 +46,7 @@ impl Sample {
     /// The point of an effect.
     #[inline]
     pub(super) fn point(self, effect: u32, points: &impl Points) -> [u32; 2] {
-        points(self.domain.child(effect), self.index)
+        points.point(self.domain.child(effect), self.index)
     }
 
     /// The sample where a reflected ray ends.

@@ -15,6 +15,8 @@
 //! | `loop/empty`, `loop/copy` | the loop alone; the loop with its loads and stores |
 #![no_std]
 
+#[path = "../../../tests/golden/bare.rs"]
+mod bare;
 mod effects;
 mod loops;
 mod maps;
@@ -41,13 +43,17 @@ pub trait Visitor {
     fn points<P: Pod>(&mut self, path: &'static str, fill: impl Fn(&[[u32; 2]], &mut [P]) -> usize);
 }
 
-/// Visits every fill.
-pub fn every(visitor: &mut impl Visitor) {
+/// Visits the fills of loops, sequences, maps and peers.
+pub fn fills(visitor: &mut impl Visitor) {
     loops::every(visitor);
     sequences::every(visitor);
     maps::every(visitor);
     maps::fused(visitor);
+    peers::every(visitor);
+}
+
+/// Visits the fills of effects and scenes.
+pub fn effects(visitor: &mut impl Visitor) {
     effects::every(visitor);
     render::every(visitor);
-    peers::every(visitor);
 }

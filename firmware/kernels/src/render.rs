@@ -1,7 +1,8 @@
-//! 256 pixels of a scene that calls for no effect, and of the same one with all: what effects cost in instructions
-//! and in flash where they are, and that they cost nothing where they are not.
+//! 256 pixels of a scene that calls for no effect, and of the same one with each alone and with all: what effects
+//! cost in instructions and in flash where they are, and that they cost nothing where they are not.
 
 use crate::Visitor;
+use crate::bare;
 use crate::scenes::{self, Visitor as SceneVisitor};
 use crate::tracer::{Ambient, Lens, Light, Points, Reflection, Renderer};
 use core::hint::black_box;
@@ -11,47 +12,84 @@ use hemidisc::{FastF32, MicromathF32};
 /// Takes four rows of 64 pixels, across sky, balls and table.
 struct Rows<'a>(&'a mut [[f32; 3]]);
 
+impl Rows<'_> {
+    fn each(&mut self, mut row: impl FnMut(u32, &mut [[f32; 3]])) {
+        self.0.fill([0.0; 3]);
+        for (pixels, y) in self.0.chunks_mut(64).zip([6, 18, 30, 42]) {
+            row(y, pixels);
+        }
+    }
+}
+
 impl<A: Root<Real = f32>> SceneVisitor<A> for Rows<'_> {
     fn scene<L: Lens<A>, S: Light<A>, O: Ambient<A>, G: Reflection<A>>(
         &mut self,
         _: &'static str,
         scene: Renderer<'_, A, L, S, O, G, impl Points>,
     ) {
-        self.0.fill([0.0; 3]);
-        for (row, y) in self.0.chunks_mut(64).zip([6, 18, 30, 42]) {
+        self.each(|y, row| {
             scene.row([0, y], 0..1, row);
-        }
+        });
     }
 }
 
-/// The scenes of an arithmetic, each a function under its path. The scene is built in it, which is little beside
-/// 256 pixels.
+/// A scene, a function under its path. The scene is built in it, which is little beside 256 pixels.
+macro_rules! scene {
+    ($visitor:ident, $path:expr, |$exponents:ident, $rows:ident| $build:expr) => {{
+        #[unsafe(export_name = $path)]
+        #[inline(never)]
+        fn fill($exponents: [f32; 2], pixels: &mut [[f32; 3]]) -> usize {
+            let count = pixels.len();
+            let $rows = &mut Rows(pixels);
+            if $build.is_ok() { count } else { 0 }
+        }
+        let exponents = black_box([3000.0, 30.0]);
+        $visitor.points($path, |_, pixels| fill(exponents, pixels));
+    }};
+}
+
+/// The scenes of an arithmetic.
 macro_rules! scenes {
     ($visitor:ident: $($name:literal $arithmetic:ident;)*) => {$(
-        {
-            #[unsafe(export_name = concat!("render/plain/", $name))]
-            #[inline(never)]
-            fn fill(pixels: &mut [[f32; 3]]) -> usize {
-                let built = scenes::plain::<$arithmetic>(&mut Rows(pixels));
-                if built.is_ok() { pixels.len() } else { 0 }
-            }
-            $visitor.points(concat!("render/plain/", $name), |_, pixels| fill(pixels));
-        }
-        {
-            #[unsafe(export_name = concat!("render/still-life/", $name))]
-            #[inline(never)]
-            fn fill(exponents: [f32; 2], pixels: &mut [[f32; 3]]) -> usize {
-                let built = scenes::still_life::<$arithmetic>(exponents, &mut Rows(pixels));
-                if built.is_ok() { pixels.len() } else { 0 }
-            }
-            let exponents = black_box([3000.0, 30.0]);
-            $visitor.points(concat!("render/still-life/", $name), |_, pixels| fill(exponents, pixels));
-        }
+        scene!($visitor, concat!("render/plain/", $name), |_none, rows| {
+            scenes::plain::<$arithmetic>(rows)
+        });
+        scene!($visitor, concat!("render/lens/", $name), |_none, rows| {
+            scenes::with_lens::<$arithmetic>(rows)
+        });
+        scene!($visitor, concat!("render/light/", $name), |_none, rows| {
+            scenes::with_light::<$arithmetic>(rows)
+        });
+        scene!($visitor, concat!("render/occlusion/", $name), |_none, rows| {
+            scenes::with_occlusion::<$arithmetic>(rows)
+        });
+        scene!($visitor, concat!("render/glossy/", $name), |exponents, rows| {
+            scenes::with_gloss::<$arithmetic>(exponents, rows)
+        });
+        scene!($visitor, concat!("render/still-life/", $name), |exponents, rows| {
+            scenes::still_life::<$arithmetic>(exponents, rows)
+        });
+    )*};
+}
+
+/// The plain scene by a renderer that never had an effect.
+macro_rules! bare {
+    ($visitor:ident: $($name:literal $arithmetic:ident;)*) => {$(
+        scene!($visitor, concat!("render/bare/", $name), |_none, rows| {
+            scenes::with_bare::<$arithmetic>(|scene| rows.each(|y, row| {
+                bare::row(&scene, [0, y], 0..1, row);
+            }))
+        });
     )*};
 }
 
 pub(crate) fn every(visitor: &mut impl Visitor) {
     scenes! {
+        visitor:
+        "fast-f32" FastF32;
+        "micromath-f32" MicromathF32;
+    }
+    bare! {
         visitor:
         "fast-f32" FastF32;
         "micromath-f32" MicromathF32;

@@ -41,9 +41,11 @@ fn root() -> PathBuf {
 fn measure(core: &Core) -> Result<(Vec<Record>, Lens)> {
     eprintln!("{}: building", core.name);
     tools::build(core, &["--package", "programs", "--package", "image"])?;
-    let files = digests::compare(core, &qemu::run(core, "digests")?)?;
+    let printed = qemu::run(core, "digests")? + &qemu::run(core, "effect_digests")?;
+    let files = digests::compare(core, &printed)?;
     println!("{}: {} digests are the host's", core.name, files.lines);
-    let counts = qemu::counts(core)?;
+    let mut counts = qemu::counts(core, "counts")?;
+    counts.extend(qemu::counts(core, "effect_counts")?);
     println!("{}: {} fills counted twice, alike", core.name, counts.len());
     let nothing = images::link(core, "nothing")?;
     images::shown_to_fail(core)?;

@@ -35,15 +35,15 @@ fn parse(line: &str) -> Result<Count> {
     Ok(Count { path, instructions: next()?.parse()?, stack: next()?.parse()? })
 }
 
-fn counts_once(core: &Core) -> Result<Vec<Count>> {
+fn counts_once(core: &Core, program: &str) -> Result<Vec<Count>> {
     let shift = format!("shift={},sleep=off", core.shift);
-    run_with(core, "counts", &["-icount", &shift])?.lines().map(parse).collect()
+    run_with(core, program, &["-icount", &shift])?.lines().map(parse).collect()
 }
 
-/// The counts of two runs, which must be the same, after those of a loop of known length.
-pub fn counts(core: &Core) -> Result<Vec<Count>> {
-    let mut counts = counts_once(core)?;
-    for (first, second) in counts.iter().zip(counts_once(core)?) {
+/// The counts of two runs of a program, which must be the same, after those of a loop of known length.
+pub fn counts(core: &Core, program: &str) -> Result<Vec<Count>> {
+    let mut counts = counts_once(core, program)?;
+    for (first, second) in counts.iter().zip(counts_once(core, program)?) {
         ensure!(*first == second, "two runs differ: {first:?}, {second:?}");
     }
     let known = counts.remove(0);

@@ -143,7 +143,7 @@ impl Report {
         }
         let effects = self.records.iter().filter(|record| record.kind == "effect").count();
         let scenes = self.records.iter().filter(|record| record.kind == "render").count();
-        ensure!(scenes == 2 * 2 * 4, "{scenes} of 16 scenes are counted");
+        ensure!(scenes == 6 * 2 * 4, "{scenes} of 48 scenes are counted");
         ensure!(effects == 5 * 3 * 4, "{effects} of 60 effects are counted");
         for name in ARITHMETICS {
             let has = |record: &&Record| {

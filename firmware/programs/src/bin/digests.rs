@@ -2,15 +2,8 @@
 #![no_std]
 #![no_main]
 
-#[path = "../../../../tests/golden/effects.rs"]
-mod effects;
 #[path = "../../../../tests/golden/lines.rs"]
 mod lines;
-#[path = "../../../../tests/golden/render.rs"]
-mod render;
-#[path = "../../../../examples/render/tracer/mod.rs"]
-#[expect(dead_code, unused_imports, reason = "the example counts and reflects in more ways")]
-mod tracer;
 
 use board::{exit, println};
 use hemidisc::arithmetic::Arithmetic;
@@ -33,16 +26,7 @@ fn files() -> Result<(), Error> {
     file::<FastF32>()?;
     file::<MicromathF32>()?;
     file::<LibmF32>()?;
-    file::<LibmF64>()?;
-    println!("file effects");
-    let mut line = |line: core::fmt::Arguments| println!("{line}");
-    effects::effects::<FastF32>(&mut line)?;
-    effects::effects::<MicromathF32>(&mut line)?;
-    effects::effects::<LibmF32>(&mut line)?;
-    effects::effects::<LibmF64>(&mut line)?;
-    println!("file render");
-    render::digests::<FastF32>(&mut line)?;
-    render::digests::<MicromathF32>(&mut line)
+    file::<LibmF64>()
 }
 
 #[board::entry]

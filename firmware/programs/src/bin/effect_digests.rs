@@ -1,0 +1,38 @@
+//! Prints the golden lines of this core that are of effects: samples of each, and a scene rendered with and without.
+#![no_std]
+#![no_main]
+
+#[path = "../../../../tests/golden/bare.rs"]
+#[expect(dead_code, reason = "the tests and counts render with it")]
+mod bare;
+#[path = "../../../../tests/golden/effects.rs"]
+mod effects;
+#[path = "../../../../tests/golden/render.rs"]
+mod render;
+#[path = "../../../../examples/render/tracer/mod.rs"]
+#[expect(dead_code, unused_imports, reason = "the example counts and reflects in more ways")]
+mod tracer;
+
+use board::{exit, println};
+use hemidisc::{Error, FastF32, LibmF32, LibmF64, MicromathF32};
+
+fn files() -> Result<(), Error> {
+    println!("file effects");
+    let mut line = |line: core::fmt::Arguments| println!("{line}");
+    effects::effects::<FastF32>(&mut line)?;
+    effects::effects::<MicromathF32>(&mut line)?;
+    effects::effects::<LibmF32>(&mut line)?;
+    effects::effects::<LibmF64>(&mut line)?;
+    println!("file render");
+    render::digests::<FastF32>(&mut line)?;
+    render::digests::<MicromathF32>(&mut line)
+}
+
+#[board::entry]
+fn main() -> ! {
+    if let Err(error) = files() {
+        println!("error: {error}");
+        exit(1)
+    }
+    exit(0)
+}
