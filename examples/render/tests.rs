@@ -1,6 +1,7 @@
 //! What an absent effect costs and changes: nothing. And that pictures do not depend on how they are split.
 
 mod command;
+mod noise;
 mod pictures;
 mod subsets;
 

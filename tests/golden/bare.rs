@@ -1,7 +1,7 @@
 //! A renderer that never had an effect: a pinhole, a light at a point, plain ambient light and mirrors.
 //!
 //! What a [`Renderer`] without effects is compared with: bit for bit on the host, in instructions and bytes of flash
-//! on the boards.
+//! on the boards. Where rays end is none of an effect's business, and the same code.
 
 use super::tracer::{
     Finish, Hit, Mirror, Pinhole, PointLight, Points, Ray, Renderer, Unoccluded, Vector,
@@ -33,7 +33,7 @@ pub fn row<A: Root>(
 }
 
 fn radiance<A: Root>(scene: &Scene<'_, A, impl Points>, ray: &Ray<A>) -> Vector<A> {
-    let Some(hit) = nearest(scene, ray) else { return scene.sky.along(ray.direction) };
+    let Some(hit) = scene.nearest(ray) else { return scene.sky.along(ray.direction) };
     let own = lit(scene, &hit);
     let (Finish::Mirror(reflectance) | Finish::Glossy(reflectance, Mirror)) = hit.material.finish
     else {
@@ -41,8 +41,8 @@ fn radiance<A: Root>(scene: &Scene<'_, A, impl Points>, ray: &Ray<A>) -> Vector<
     };
     let height = dot(ray.direction, hit.normal);
     let mirrored = core::array::from_fn(|i| ray.direction[i] + -(height + height) * hit.normal[i]);
-    let ray = above(&hit, mirrored);
-    let seen = match nearest(scene, &ray) {
+    let ray = hit.leaving(mirrored);
+    let seen = match scene.nearest(&ray) {
         Some(hit) => lit(scene, &hit),
         None => scene.sky.along(ray.direction),
     };
@@ -61,7 +61,7 @@ fn lit<A: Root>(scene: &Scene<'_, A, impl Points>, hit: &Hit<'_, A, Mirror>) -> 
         if cosine > A::Real::ZERO || light.two_sided {
             let facing = cosine.magnitude() / square * dot(direction, hit.normal);
             let visible = facing * A::Real::FRAC_1_PI;
-            if visible > A::Real::ZERO && clear(scene, &above(hit, direction), distance) {
+            if visible > A::Real::ZERO && scene.meets(&hit.leaving(direction), distance).is_none() {
                 share = visible;
             }
         }
@@ -70,37 +70,6 @@ fn lit<A: Root>(scene: &Scene<'_, A, impl Points>, hit: &Hit<'_, A, Mirror>) -> 
         let arriving = share * scene.intensity[i] + scene.ambient[i];
         hit.material.emission[i] + hit.albedo[i] * arriving
     })
-}
-
-/// The first surface along a ray.
-fn nearest<'a, A: Root>(
-    scene: &Scene<'a, A, impl Points>,
-    ray: &Ray<A>,
-) -> Option<Hit<'a, A, Mirror>> {
-    let mut found = (A::Real::MAX, None);
-    for sphere in scene.spheres {
-        if let Some(distance) = sphere.meets(ray).filter(|distance| *distance < found.0) {
-            found = (distance, Some(sphere.hit(ray, distance)));
-        }
-    }
-    for plane in scene.planes {
-        if let Some(distance) = plane.meets(ray).filter(|distance| *distance < found.0) {
-            found = (distance, Some(plane.hit(ray, distance)));
-        }
-    }
-    found.1
-}
-
-/// Whether nothing is met before a distance.
-fn clear<A: Root>(scene: &Scene<'_, A, impl Points>, ray: &Ray<A>, distance: A::Real) -> bool {
-    let before = |met: Option<A::Real>| met.is_some_and(|met| met < distance);
-    !scene.spheres.iter().any(|sphere| before(sphere.meets(ray)))
-        && !scene.planes.iter().any(|plane| before(plane.meets(ray)))
-}
-
-fn above<A: Root>(hit: &Hit<'_, A, Mirror>, direction: Vector<A>) -> Ray<A> {
-    let above = A::sqrt(A::Real::EPSILON);
-    Ray { origin: core::array::from_fn(|i| hit.point[i] + above * hit.normal[i]), direction }
 }
 
 fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {

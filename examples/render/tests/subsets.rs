@@ -3,9 +3,10 @@
 use super::{SMALL, bits, each_arithmetic, rendered, scene, subsets};
 use crate::description::{Material, Scene};
 use crate::effects::{Effect, Effects};
+use crate::frame::Settings;
 use crate::report::tally;
 use crate::tracer::Tally;
-use crate::values::{Colour, Radius};
+use crate::values::{Colour, Exponent, Radius};
 
 /// A scene from whose text the other effects were taken out.
 fn cut(scene: &Scene, effects: Effects) -> Scene {
@@ -73,6 +74,26 @@ fn a_light_of_radius_0_is_a_point() {
     for two_sided in [false, true] {
         scene.light.two_sided = two_sided;
         same_without(&scene, Effect::Light);
+    }
+}
+
+/// All directions are within 7e-4 of the mirror's, which moves what is seen in the spheres by a part of a pixel.
+#[test]
+fn a_lobe_of_1e8_is_a_mirror() {
+    let mut scene = scene("still-life");
+    for sphere in &mut scene.spheres {
+        if let Some(reflection) = &mut sphere.material.reflection {
+            reflection.exponent = Some(Exponent(1e8));
+        }
+    }
+    let settings = Settings { samples: 64, ..SMALL };
+    for arithmetic in each_arithmetic() {
+        let [lobe, mirror] = [scene.effects(), scene.effects().without(Effect::Glossy)]
+            .map(|effects| rendered(arithmetic, &scene, effects, &settings));
+        assert_ne!(bits(&lobe), bits(&mirror));
+        for (lobe, mirror) in lobe.pixels.iter().flatten().zip(mirror.pixels.iter().flatten()) {
+            assert!((lobe - mirror).abs() < 0.01, "{arithmetic}: {lobe} and {mirror}");
+        }
     }
 }
 

@@ -120,7 +120,7 @@ where
     }
 
     /// The first surface along a ray.
-    fn nearest(&self, ray: &Ray<A>) -> Option<Hit<'_, A, G>> {
+    pub fn nearest(&self, ray: &Ray<A>) -> Option<Hit<'_, A, G>> {
         let mut limit = A::Real::MAX;
         let (mut sphere, mut plane) = (None, None);
         for candidate in self.spheres {
@@ -141,7 +141,7 @@ where
     }
 
     /// Any surface nearer than a limit.
-    fn meets(&self, ray: &Ray<A>, limit: A::Real) -> Option<A::Real> {
+    pub fn meets(&self, ray: &Ray<A>, limit: A::Real) -> Option<A::Real> {
         let spheres = self.spheres.iter().filter_map(|sphere| sphere.meets(ray));
         let planes = self.planes.iter().filter_map(|plane| plane.meets(ray));
         spheres.chain(planes).find(|distance| *distance < limit)
@@ -166,7 +166,7 @@ impl<A: Root, G> Hit<'_, A, G> {
     /// It starts sqrt(eps) above: far more than a hit is wrong in scenes of up to some hundred units, and too
     /// little to be seen.
     #[inline]
-    fn leaving(&self, direction: Vector<A>) -> Ray<A> {
+    pub fn leaving(&self, direction: Vector<A>) -> Ray<A> {
         let above = A::sqrt(A::Real::EPSILON);
         Ray { origin: along(self.point, above, self.normal), direction }
     }

@@ -76,6 +76,12 @@ fn is_float(symbol: &str) -> bool {
 }
 
 impl Image {
+    /// A symbol other than the entry that has a word in it.
+    pub fn mentions(&self, word: &str, entry: &str) -> Option<&str> {
+        let mut symbols = self.symbols.iter().filter(|symbol| *symbol != entry);
+        symbols.find(|symbol| symbol.contains(word)).map(String::as_str)
+    }
+
     /// An error for a panic in the image, and for a software float where there shall be none.
     pub fn check(&self, name: &str, integers_only: bool) -> Result<()> {
         if let Some(symbol) = self.symbols.iter().find(|symbol| symbol.contains("panic")) {

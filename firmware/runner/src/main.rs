@@ -8,6 +8,7 @@
 
 mod cores;
 mod digests;
+mod effects;
 mod images;
 mod qemu;
 mod report;
@@ -49,9 +50,11 @@ fn measure(core: &Core) -> Result<(Vec<Record>, Lens)> {
     println!("{}: {} fills counted twice, alike", core.name, counts.len());
     let nothing = images::link(core, "nothing")?;
     images::shown_to_fail(core)?;
+    effects::shown_to_fail(core)?;
     let mut records = Vec::new();
     for count in counts {
         let image = images::link(core, &count.path)?;
+        effects::check(&count.path, &image)?;
         records.push(Record::new(core, &count, &image, &nothing, &files)?);
     }
     for exponent in hemidisc::catalogue::ARITHMETICS {
@@ -98,6 +101,8 @@ fn run() -> Result<()> {
         report.lens.push(lens);
     }
     report.covers_the_catalogue()?;
+    effects::cost_nothing_where_absent(&report.records)?;
+    println!("absent effects: no symbol, and the cost of a renderer that never had one");
     let pictures = report.lens.windows(2).all(|pair| pair[0].picture == pair[1].picture);
     ensure!(pictures, "the example's picture is not the same on every core");
     println!("{}", report.lens[0].picture);
