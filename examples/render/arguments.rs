@@ -18,8 +18,8 @@ use std::str::FromStr;
 #[command(name = "render", version)]
 pub(crate) struct Arguments {
     /// A scene's name, or the path of a .ron file
-    #[arg(long, value_name = "NAME")]
-    pub(crate) scene: String,
+    #[arg(long, value_name = "NAME", required_unless_present = "sheet")]
+    scene: Option<String>,
 
     /// Some of lens, light, occlusion, glossy with commas between, or none [default: those of the scene]
     #[arg(long, value_name = "LIST", value_parser = Effects::from_str)]
@@ -61,6 +61,10 @@ pub(crate) struct Arguments {
     #[arg(allow_negative_numbers = true)]
     threads: Option<NonZeroU8>,
 
+    /// Write pictures of several scenes without and with effects, and print what they took
+    #[arg(long, value_name = "DIR", exclusive = true)]
+    pub(crate) sheet: Option<PathBuf>,
+
     /// Of the noise
     #[arg(long, value_name = "S", default_value = "0", value_parser = u32::from_str)]
     #[arg(allow_negative_numbers = true)]
@@ -84,9 +88,14 @@ fn side(text: &str) -> Result<u16, String> {
 }
 
 impl Arguments {
+    /// The scene; empty where a sheet is asked for.
+    pub(crate) fn scene(&self) -> &str {
+        self.scene.as_deref().unwrap_or_default()
+    }
+
     /// Where the picture goes.
     pub(crate) fn picture(&self) -> PathBuf {
-        let name = Path::new(&self.scene).file_stem().unwrap_or_default();
+        let name = Path::new(self.scene()).file_stem().unwrap_or_default();
         let usual = || Path::new("target").join("render").join(name).with_extension("png");
         self.out.clone().unwrap_or_else(usual)
     }
@@ -126,6 +135,9 @@ pub(crate) fn one_line(error: &clap::Error) -> String {
             let wrong = error.source().map(ToString::to_string).unwrap_or_default();
             format!("{argument}: {value:?}: {wrong}; accepted: {accepted}")
         }
+        ErrorKind::ArgumentConflict if argument == "--sheet" => {
+            format!("{argument}: given with others; accepted: {accepted}")
+        }
         ErrorKind::ArgumentConflict => format!("{argument}: given more than once; accepted: once"),
         ErrorKind::UnknownArgument => {
             let command = Arguments::command();
@@ -155,6 +167,7 @@ fn accepted(long: &str) -> String {
         "width" | "height" => format!("an integer 1..={LONGEST}"),
         "arithmetic" => ARITHMETICS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", "),
         "sequence" => Sequence::ALL.map(|(name, _)| name).join(", "),
+        "sheet" => "the path of a folder, and no other argument".to_owned(),
         "out" => "the path of a file".to_owned(),
         "report" => "json".to_owned(),
         "threads" => "an integer 1..=255".to_owned(),

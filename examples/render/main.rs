@@ -22,6 +22,7 @@ mod picture;
 mod progress;
 mod report;
 mod sequence;
+mod sheet;
 #[cfg(test)]
 mod tests;
 mod tracer;
@@ -61,7 +62,11 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let (path, scene) = file::scene(&arguments.scene)?;
+    if let Some(folder) = &arguments.sheet {
+        return say(&sheet::write(folder)?);
+    }
+    let name = arguments.scene();
+    let (path, scene) = file::scene(name)?;
     let effects = called_for(arguments, scene.effects())?;
     let settings = Settings {
         size: [arguments.width.into(), arguments.height.into()],
@@ -79,7 +84,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
     let others = if arguments.report.is_some() { effects.each().count() } else { 0 };
     let mut progress = Progress::new(settings.passes() * (1 + others));
     let mut render = |effects: Effects| {
-        let step = &mut || progress.step(&arguments.scene);
+        let step = &mut || progress.step(name);
         pool.install(|| render(&scene, effects, &settings, step))
             .map_err(|wrong| Failure::Usage(format!("{}: {wrong}", path.display())))
     };
@@ -100,7 +105,7 @@ fn called_for(arguments: &Arguments, of_scene: Effects) -> Result<Effects, Failu
     if let Some(missing) = effects.each().find(|effect| !of_scene.has(*effect)) {
         return Err(Failure::Usage(format!(
             "--effects: scene {:?} has no {}; accepted: {}",
-            arguments.scene,
+            arguments.scene(),
             missing.name(),
             of_scene.accepted()
         )));

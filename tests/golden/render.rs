@@ -1,11 +1,11 @@
 //! A small scene in code, with no effect, each of the four alone and all of them, and the lines of `render.txt`:
-//! digests of each at 64 x 48, in an arithmetic of floats.
+//! digests of each at 64 x 48, in an arithmetic of floats, and the points drawn and rays sent for each effect.
 //!
 //! As `lines.rs`, compiled by the host and the firmware alike; so is the renderer.
 
 use super::bare;
 use super::tracer::{
-    Ambient, Camera, Checker, Finish, Lens, Light, Material, Mirror, Owen, Pinhole, Plane,
+    Ambient, Camera, Checker, Counts, Finish, Lens, Light, Material, Mirror, Owen, Pinhole, Plane,
     PointLight, Points, Reflection, Renderer, Sky, Sphere, Unoccluded,
 };
 use core::fmt::Arguments;
@@ -184,14 +184,20 @@ impl<A: Root<Real: Digestible>> Visitor<A> for Digests<'_> {
         name: &'static str,
         scene: Renderer<'_, A, L, S, O, G, impl Points>,
     ) {
-        let (mut digest, [_, height]) = (Digest::new(), SIZE);
+        let (mut digest, mut counts) = (Digest::new(), Counts::default());
+        let [_, height] = SIZE;
         for y in 0..height {
             // A row is all that a board keeps of the picture.
             let mut row = [[A::Real::ZERO; 3]; SIZE[0] as usize];
-            scene.row([0, y], 0..SAMPLES, &mut row);
+            counts += scene.row([0, y], 0..SAMPLES, &mut row);
             row.into_iter().for_each(|pixel| digest.value_of(pixel));
         }
-        (self.0)(format_args!("{} {name} {:016x}", A::NAME, digest.value()));
+        let Counts { base, lens, light, occlusion, glossy } = counts;
+        (self.0)(format_args!(
+            "{} {name} {:016x} base={base} lens={lens} light={light} occlusion={occlusion} glossy={glossy}",
+            A::NAME,
+            digest.value()
+        ));
     }
 }
 

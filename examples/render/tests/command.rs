@@ -13,7 +13,7 @@ fn refusal(line: &str) -> String {
         Err(error) => return one_line(&error),
         Ok(arguments) => arguments,
     };
-    let known = file::scene(&arguments.scene);
+    let known = file::scene(arguments.scene());
     match known.and_then(|(_, scene)| called_for(&arguments, scene.effects())) {
         Err(Failure::Usage(message)) => message,
         _ => panic!("{line} is accepted"),
@@ -46,6 +46,8 @@ fn bad_arguments_are_refused_on_one_line() {
         ("--scene lens --threads 0", "--threads: \"0\"", "accepted: an integer 1..=255"),
         ("--scene lens --seed -1", "--seed: \"-1\"", "accepted: an integer 0..=4294967295"),
         ("--scene lens --report xml", "--report: \"xml\" is not known", "accepted: json"),
+        ("--scene lens --sequence sobol", "--sequence: \"sobol\"", "accepted: sobol-owen, random"),
+        ("--sheet x --scene lens", "--sheet: given with others", "accepted: the path of a folder"),
         ("--scene lens --scene lens", "--scene: given more than once", "accepted: once"),
         ("--scene lens --size 4", "\"--size\": unknown argument", "accepted: --scene, --effects"),
     ];

@@ -1,5 +1,6 @@
 //! One sample of a pixel: where each effect's points come from, and how many were drawn.
 
+use core::fmt;
 use core::ops::AddAssign;
 use hemidisc::Domain;
 use hemidisc::sequence::SobolOwen;
@@ -73,6 +74,12 @@ impl Tally {
     #[inline]
     pub(super) const fn send(&mut self) {
         self.rays += 1;
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{},{}", self.points, self.rays)
     }
 }
 

@@ -8,6 +8,7 @@
 
 mod cores;
 mod digests;
+mod effect_table;
 mod effects;
 mod images;
 mod qemu;

@@ -1,6 +1,7 @@
 //! The report as Markdown, and its copies in docs/firmware.md and README.md.
 
 use crate::cores::CORES;
+use crate::effect_table;
 use crate::report::{Record, Report};
 use anyhow::{Context, Result, bail};
 use std::fmt::Write;
@@ -137,14 +138,14 @@ fn printed<'a>(text: &'a str, marker: &str) -> Result<[&'a str; 3]> {
 
 /// Compares the committed tables with the report, where the compiler is the same; or writes them.
 pub fn publish(report: &Report, root: &Path, bless: bool) -> Result<()> {
-    for (file, table) in [
-        ("docs/firmware.md", whole(report)),
-        ("README.md", compiler_line(report) + &summary(report)),
+    for (file, marker, table) in [
+        ("docs/firmware.md", "<!-- firmware:", whole(report)),
+        ("README.md", "<!-- firmware:", compiler_line(report) + &summary(report)),
+        ("README.md", "<!-- effects:", compiler_line(report) + &effect_table::table(report)?),
     ] {
         let path = root.join(file);
         let text = fs::read_to_string(&path).with_context(|| path.display().to_string())?;
-        let [before, printed, after] =
-            printed(&text, "<!-- firmware:").with_context(|| file.to_owned())?;
+        let [before, printed, after] = printed(&text, marker).with_context(|| file.to_owned())?;
         if bless {
             fs::write(&path, format!("{before}{table}{after}"))?;
         } else if !printed.starts_with(&compiler_line(report)) {
