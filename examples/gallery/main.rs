@@ -14,6 +14,7 @@ mod canvas;
 mod curve;
 mod dome;
 mod grid;
+mod messages;
 mod panels;
 mod plates;
 mod progress;
@@ -23,11 +24,11 @@ mod table;
 
 use clap::Parser;
 use hemidisc::catalogue::SEQUENCES;
+use messages::{one_line, say, unwritable};
 use progress::Progress;
 use sets::COUNTS;
 use std::error::Error;
 use std::fs;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -55,13 +56,6 @@ fn main() -> ExitCode {
     }
 }
 
-/// What is wrong with the arguments, and what is accepted.
-fn one_line(error: &clap::Error) -> String {
-    let text = error.to_string();
-    let first = text.lines().next().unwrap_or_default();
-    format!("{}; accepted: --out DIR", first.trim_start_matches("error: "))
-}
-
 fn run(out: &Path) -> Result<(), Box<dyn Error>> {
     // Before anything that takes time.
     fs::create_dir_all(out).map_err(|error| unwritable(out, &error))?;
@@ -85,16 +79,4 @@ fn run(out: &Path) -> Result<(), Box<dyn Error>> {
     let names: Vec<_> = plates.iter().map(|plate| plate.file.as_str()).collect();
     say(&format!("\n{} plates in {}: {}", plates.len(), out.display(), names.join(", ")))?;
     Ok(())
-}
-
-fn unwritable(path: &Path, error: &io::Error) -> String {
-    format!("cannot write {}: {error}", path.display())
-}
-
-/// Prints a text; a reader that has seen enough of it (`| head`) is no error.
-fn say(text: &str) -> io::Result<()> {
-    match writeln!(io::stdout(), "{text}") {
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        result => result,
-    }
 }

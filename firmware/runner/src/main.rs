@@ -26,7 +26,7 @@ use std::process::ExitCode;
 /// Measures hemidisc on microcontroller cores in QEMU.
 #[derive(Parser)]
 struct Arguments {
-    /// Build the library alone, for every core and with several sets of features; measure nothing.
+    /// Build the library with several sets of features, and `panel`, for every core; measure nothing.
     #[arg(long)]
     library: bool,
     /// Write the tables into docs/firmware.md and README.md instead of comparing with them.

@@ -89,7 +89,7 @@ pub fn build(core: &Core, arguments: &[&str]) -> Result<()> {
     output(cargo.args(extra).args(["--target", core.target]).args(arguments)).map(drop)
 }
 
-/// The library builds for cores without an operating system, an allocator or an FPU.
+/// The library, and what draws with it, build for cores without an operating system, an allocator or an FPU.
 pub fn build_library() -> Result<()> {
     for core in &CORES {
         for features in ["", "libm", "libm,micromath,fixed-point,bytemuck,heapless,rand_core,rand"]
@@ -100,6 +100,11 @@ pub fn build_library() -> Result<()> {
             output(cargo.args(["--no-default-features", "--features", features]))?;
             println!("{} with features [{features}]: built", core.target);
         }
+        let (mut cargo, extra) = cargo(core.target)?;
+        cargo.current_dir(workspace().join("panel")).args(["build", "--quiet", "--release"]);
+        cargo.args(["--locked", "--target-dir", "../../target/bare-metal"]);
+        output(cargo.args(extra).args(["--target", core.target]))?;
+        println!("{} with the drawing of `display`: built", core.target);
     }
     Ok(())
 }
