@@ -93,6 +93,45 @@ fn a_camera_inside_a_sphere_sees_its_inside() {
     }
 }
 
+/// Spheres that shine, without any other light.
+fn shining(spheres: &str) -> Scene {
+    let text = format!(
+        "(
+            camera: (position: (0, 0, 0), ahead: (0, 0, -1), field_of_view: 4),
+            light: (position: (0, 9, 0), toward: (0, -1, 0), intensity: (0, 0, 0)),
+            ambient: (colour: (0, 0, 0)),
+            sky: (horizon: (0, 0, 0), zenith: (0, 0, 0)),
+            spheres: [{spheres}],
+        )"
+    );
+    file::parsed(&text).unwrap()
+}
+
+#[test]
+fn the_nearest_surface_is_seen_and_the_inside_of_one_around_the_camera() {
+    let sphere = |z: f64, radius: f64, red: f64| {
+        format!(
+            "(centre: (0, 0, {z}), radius: {radius}, material: \
+             (albedo: (0, 0, 0), emission: ({red}, 0, 0))),"
+        )
+    };
+    let (near, far, around) =
+        (sphere(-3.0, 1.0, 0.5), sphere(-9.0, 2.0, 0.25), sphere(0.0, 50.0, 0.125));
+    for (spheres, expected) in [
+        (near.clone() + &far + &around, 0.5),
+        (around.clone() + &far + &near, 0.5),
+        (far.clone() + &around, 0.25),
+        (around.clone() + &far, 0.25),
+        (around, 0.125),
+        (sphere(9.0, 2.0, 1.0), 0.0),
+    ] {
+        for arithmetic in each_arithmetic() {
+            let frame = rendered(arithmetic, &shining(&spheres), Effects::NONE, &SMALL);
+            assert!(frame.pixels.iter().all(|pixel| *pixel == [expected, 0.0, 0.0]), "{spheres}");
+        }
+    }
+}
+
 #[track_caller]
 fn finite(scene: &Scene) {
     for arithmetic in each_arithmetic() {
