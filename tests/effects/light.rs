@@ -138,7 +138,16 @@ fn a_bad_radius_is_refused<A: Float>() {
     }
 }
 
+fn a_bad_centre_is_refused<A: Float>() {
+    let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
+    for component in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let centre = A::vector([0.0, component, 0.0]);
+        let found = DiscLight::<A>::new(centre, up, A::Real::ONE);
+        assert!(matches!(found, Err(Error::Position { .. })), "{component}");
+    }
+}
+
 each_float!(
     irradiance_is_that_of_the_closed_form densities_are_per_steradian no_light_where_none_goes
-    nearness_has_an_end a_point_light_is_exact a_bad_radius_is_refused
+    nearness_has_an_end a_point_light_is_exact a_bad_radius_is_refused a_bad_centre_is_refused
 );
