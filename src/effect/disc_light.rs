@@ -6,7 +6,7 @@
 //! The weight is cos t / d^2: radiance A, the light's intensity along its axis, stays finite for a light of
 //! radius 0, which is a point.
 
-use super::{along, at_most_max, checked_radius};
+use super::{along, at_most_max, capped, checked_radius};
 use crate::arithmetic::{Arithmetic, Real, Root};
 use crate::error::Error;
 use crate::frame::{Frame, dot};
@@ -71,10 +71,10 @@ impl<A: Root> DiscLight<A> {
         Self { two_sided: true, ..self }
     }
 
-    /// pi r^2.
+    /// pi r^2, at most MAX.
     #[inline]
     pub fn area(&self) -> A::Real {
-        self.radius * self.radius / A::Real::FRAC_1_PI
+        capped(self.radius * self.radius / A::Real::FRAC_1_PI)
     }
 
     /// The density of its points, per unit of area; at most MAX.
@@ -119,10 +119,8 @@ impl<A: Root> DiscLight<A> {
         let density = distance * distance / (self.area() * cosine);
         if !inside || density.magnitude() <= A::Real::ZERO {
             A::Real::ZERO
-        } else if density.finite() {
-            density
         } else {
-            A::Real::MAX
+            capped(density)
         }
     }
 

@@ -130,6 +130,16 @@ fn a_point_light_is_exact<A: Float>() {
     assert_eq!(light.area().into(), 0.0);
 }
 
+/// As large as can be: the area is a number, and so is what is seen of the light.
+fn the_largest_light_is_finite<A: Float>() {
+    let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
+    let light = DiscLight::<A>::new(A::vector([0.0; 3]), up, A::Real::MAX).unwrap();
+    assert_eq!(light.area(), A::Real::MAX);
+    let sample = light.sample(A::vector([0.0, 0.0, -1.0]), [0, 0]);
+    assert!(wide([sample.weight, sample.density]).into_iter().all(f64::is_finite));
+    assert!(light.area_density().into() > 0.0);
+}
+
 fn a_bad_radius_is_refused<A: Float>() {
     let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
     for radius in [-0.5, f64::NAN, f64::INFINITY] {
@@ -149,5 +159,5 @@ fn a_bad_centre_is_refused<A: Float>() {
 
 each_float!(
     irradiance_is_that_of_the_closed_form densities_are_per_steradian no_light_where_none_goes
-    nearness_has_an_end a_point_light_is_exact a_bad_radius_is_refused a_bad_centre_is_refused
+    nearness_has_an_end a_point_light_is_exact the_largest_light_is_finite a_bad_radius_is_refused a_bad_centre_is_refused
 );
