@@ -83,8 +83,8 @@ impl<A: Root> DiscLight<A> {
         at_most_max(self.area())
     }
 
-    /// The light's point for a pair of coordinates, as seen from a receiver; one so near that 1 / d^2 is no finite
-    /// number is on the light.
+    /// The light's point for a pair of coordinates, as seen from a receiver; one so near that d^2 is no normal number
+    /// is on the light.
     #[inline]
     pub fn sample(&self, receiver: [A::Real; 3], uv: [u32; 2]) -> LightSample<A::Real> {
         let [x_axis, y_axis, normal] = self.frame.axes();
@@ -92,7 +92,7 @@ impl<A: Root> DiscLight<A> {
         let point = along(along(self.centre, x * self.radius, x_axis), y * self.radius, y_axis);
         let to_light = along(point, -A::Real::ONE, receiver);
         let square = dot(to_light, to_light);
-        if !(square > A::Real::ONE / A::Real::MAX && square.finite()) {
+        if !(square >= A::Real::MIN_POSITIVE && square.finite()) {
             return LightSample { point, direction: normal, ..LightSample::default() };
         }
         let distance = A::sqrt(square);
