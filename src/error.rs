@@ -109,7 +109,7 @@ pub enum Error {
         /// What was given (an `f32` widens to `f64` exactly).
         value: f64,
     },
-    /// A position with a component that is not a finite number.
+    /// A position with a component that is not a finite number, or of a light whose rim is not at finite numbers.
     Position {
         /// The first such component (an `f32` widens to `f64` exactly).
         value: f64,
@@ -171,7 +171,10 @@ impl fmt::Display for Error {
                 write!(f, "radius is {value}; accepted: a finite number, at least 0")
             }
             Self::Position { value } => {
-                write!(f, "a position with a component of {value}; accepted: finite numbers")
+                write!(
+                    f,
+                    "a position with a component of {value}; accepted: finite numbers; of a light, those that its rim is at, too"
+                )
             }
             Self::Distance { value } => {
                 write!(

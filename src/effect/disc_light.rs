@@ -52,15 +52,17 @@ impl<A: Root> DiscLight<A> {
     /// A light about a centre, whose normal is the frame's third axis; one-sided.
     ///
     /// # Errors
-    /// [`Error::Radius`] for a radius that is not a finite number from 0 on, [`Error::Position`] for a centre that
-    /// is not of finite numbers.
+    /// [`Error::Radius`] for a radius that is not a finite number from 0 on, [`Error::Position`] for a centre
+    /// from which the rim is not at finite numbers.
     pub fn new(
         centre: [A::Real; 3],
         frame: Frame<A::Real>,
         radius: A::Real,
     ) -> Result<Self, Error> {
         let radius = checked_radius(radius)?;
-        if let Some(component) = centre.into_iter().find(|component| !component.finite()) {
+        // Twice, for the sums round.
+        let bad = |component: &A::Real| !(component.magnitude() + radius + radius).finite();
+        if let Some(component) = centre.into_iter().find(bad) {
             return Err(Error::Position { value: component.into() });
         }
         Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false })

@@ -133,11 +133,18 @@ fn a_point_light_is_exact<A: Float>() {
 /// As large as can be: the area is a number, and so is what is seen of the light.
 fn the_largest_light_is_finite<A: Float>() {
     let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
-    let light = DiscLight::<A>::new(A::vector([0.0; 3]), up, A::Real::MAX).unwrap();
+    let largest = A::Real::MAX * (A::Real::HALF - A::Real::EPSILON);
+    let light = DiscLight::<A>::new(A::vector([0.0; 3]), up, largest).unwrap();
     assert_eq!(light.area(), A::Real::MAX);
     let sample = light.sample(A::vector([0.0, 0.0, -1.0]), [0, 0]);
     assert!(wide([sample.weight, sample.density]).into_iter().all(f64::is_finite));
-    assert!(light.area_density().into() > 0.0);
+    assert!(sample.point.into_iter().all(|x| x.into().is_finite()));
+    // Its rim would be nowhere.
+    for (centre, radius) in [([A::Real::ZERO; 3], A::Real::MAX), ([largest + largest; 3], largest)]
+    {
+        let found = DiscLight::<A>::new(centre, up, radius);
+        assert!(matches!(found, Err(Error::Position { .. })));
+    }
 }
 
 fn a_bad_radius_is_refused<A: Float>() {
