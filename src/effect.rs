@@ -54,10 +54,16 @@ fn checked_distance<R: Real>(distance: R) -> Result<R, Error> {
     if distance > R::ZERO { Ok(distance) } else { Err(Error::Distance { value: distance.into() }) }
 }
 
+/// A number that is not negative, at most MAX.
+#[inline]
+fn capped<R: Real>(x: R) -> R {
+    if x.finite() { x } else { R::MAX }
+}
+
 /// 1 / x for x >= 0, at most MAX.
+#[inline]
 fn at_most_max<R: Real>(x: R) -> R {
-    let inverse = R::ONE / x;
-    if inverse.finite() { inverse } else { R::MAX }
+    capped(R::ONE / x)
 }
 
 /// a + k b.

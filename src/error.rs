@@ -109,6 +109,11 @@ pub enum Error {
         /// What was given (an `f32` widens to `f64` exactly).
         value: f64,
     },
+    /// A position with a component that is not a finite number, or of a light whose rim is not at finite numbers.
+    Position {
+        /// The first such component (an `f32` widens to `f64` exactly).
+        value: f64,
+    },
     /// A distance that is not above 0, or one of a lens so near that its radius over it is no finite number.
     Distance {
         /// What was given (an `f32` widens to `f64` exactly).
@@ -164,6 +169,12 @@ impl fmt::Display for Error {
             Self::NoDraws => f.write_str("a limit of 0 draws a point; accepted: at least 1"),
             Self::Radius { value } => {
                 write!(f, "radius is {value}; accepted: a finite number, at least 0")
+            }
+            Self::Position { value } => {
+                write!(
+                    f,
+                    "a position with a component of {value}; accepted: finite numbers; of a light, those that its rim is at, too"
+                )
             }
             Self::Distance { value } => {
                 write!(

@@ -8,6 +8,43 @@
 //! invariant::hemisphere(&Cosine::<LibmF32>::new(), [0, u32::MAX])?;
 //! # Ok::<(), invariant::Violation>(())
 //! ```
+//!
+//! # In a fuzz target of your own
+//!
+//! With the feature `arbitrary` what a renderer is configured with implements `arbitrary::Arbitrary`: sequences,
+//! domains, maps, points, frames and effects, whose values are valid whatever the bytes. So a target takes them as its
+//! input, checks what it makes of them, and asks these functions whether a fault is its own or this crate's:
+//!
+//! ```
+//! # // The macro of `libfuzzer_sys`, for this example to be compiled and run without it.
+//! # macro_rules! fuzz_target {
+//! #     (|$input:ident: $type:ty| $body:block) => { fn target($input: $type) $body };
+//! # }
+//! // #![no_main]
+//! // use libfuzzer_sys::fuzz_target;
+//! use hemidisc::effect::DiscLight;
+//! use hemidisc::sequence::SobolOwen;
+//! use hemidisc::{FastF32, Points, Power, invariant};
+//!
+//! type Input = (DiscLight<FastF32>, Points<SobolOwen, Power<FastF32>>, [f32; 3], u32);
+//!
+//! fuzz_target!(|input: Input| {
+//!     let (lamp, lobe, receiver, index) = input;
+//!     let uv = lobe.sequence().at(index);
+//!     assert_eq!(invariant::consistent(lobe.sequence(), index), Ok(()));
+//!     assert_eq!(invariant::hemisphere(lobe.map(), uv), Ok(()));
+//!     // Here comes the renderer, in the place of these two lines.
+//!     let sample = lamp.sample(receiver, uv);
+//!     assert!(sample.weight >= 0.0 && sample.weight.is_finite());
+//! });
+//! # use arbitrary::Unstructured;
+//! # for byte in 0..=255 {
+//! #     target(Unstructured::new(&[byte; 64]).arbitrary()?);
+//! # }
+//! # Ok::<(), arbitrary::Error>(())
+//! ```
+//!
+//! `tests/checks` of the repository is what this crate's own targets check, in every arithmetic.
 
 use crate::arithmetic::Arithmetic;
 use crate::map::{Component, Map};

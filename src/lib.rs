@@ -22,6 +22,8 @@ pub mod effect;
 mod table;
 
 // What the journey stands on, and what it promises.
+#[cfg(feature = "arbitrary")]
+mod arbitrary;
 pub mod bits;
 pub mod catalogue;
 mod error;

@@ -177,8 +177,10 @@ impl TryFrom<f64> for FixedExponent {
     /// [`Error::FixedExponent`] for a value that is not a number in [0, 2^32).
     fn try_from(e: f64) -> Result<Self, Error> {
         if (0.0..4_294_967_296.0).contains(&e) {
-            // The product is exact; from 2^52 on, where the sum is not, it is an integer already.
-            Ok(Self((e * 4_294_967_296.0 + 0.5) as u64))
+            // The product, its floor and what is above that are exact; a sum with 1/2 is not.
+            let scaled = e * 4_294_967_296.0;
+            let floor = scaled as u64;
+            Ok(Self(floor + u64::from(scaled - floor as f64 >= 0.5)))
         } else {
             Err(Error::FixedExponent { value: e })
         }
@@ -215,6 +217,22 @@ mod tests {
         assert_eq!(Q15::LSB.to_string(), "0.000030517578125");
         assert_eq!(Q15::MAX.to_string(), "0.999969482421875");
         assert_eq!(std::format!("{:7} {:.2}", Q15::from_bits(1 << 14), Q15::MAX), "    0.5 1.00");
+    }
+
+    #[test]
+    fn exponents_are_the_nearest() {
+        let lsb = 1.0 / 4_294_967_296.0;
+        for (lsbs, bits) in [
+            (0.0, 0),
+            (0.5_f64.next_down(), 0),
+            (0.5, 1),
+            (1.5_f64.next_down(), 1),
+            // Odd, and so large that adding 1/2 is a tie.
+            (7_318_349_394_477_157.0, 7_318_349_394_477_157),
+            (18_446_744_073_709_551_616.0_f64.next_down(), u64::MAX - 2047),
+        ] {
+            assert_eq!(FixedExponent::try_from(lsbs * lsb), Ok(FixedExponent(bits)), "{lsbs}");
+        }
     }
 
     #[test]

@@ -6,7 +6,7 @@
 //! The weight is cos t / d^2: radiance A, the light's intensity along its axis, stays finite for a light of
 //! radius 0, which is a point.
 
-use super::{along, at_most_max, checked_radius};
+use super::{along, at_most_max, capped, checked_radius};
 use crate::arithmetic::{Arithmetic, Real, Root};
 use crate::error::Error;
 use crate::frame::{Frame, dot};
@@ -52,13 +52,19 @@ impl<A: Root> DiscLight<A> {
     /// A light about a centre, whose normal is the frame's third axis; one-sided.
     ///
     /// # Errors
-    /// [`Error::Radius`] for a radius that is not a finite number from 0 on.
+    /// [`Error::Radius`] for a radius that is not a finite number from 0 on, [`Error::Position`] for a centre
+    /// from which the rim is not at finite numbers.
     pub fn new(
         centre: [A::Real; 3],
         frame: Frame<A::Real>,
         radius: A::Real,
     ) -> Result<Self, Error> {
         let radius = checked_radius(radius)?;
+        // Twice, for the sums round.
+        let bad = |component: &A::Real| !(component.magnitude() + radius + radius).finite();
+        if let Some(component) = centre.into_iter().find(bad) {
+            return Err(Error::Position { value: component.into() });
+        }
         Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false })
     }
 
@@ -67,10 +73,10 @@ impl<A: Root> DiscLight<A> {
         Self { two_sided: true, ..self }
     }
 
-    /// pi r^2.
+    /// pi r^2, at most MAX.
     #[inline]
     pub fn area(&self) -> A::Real {
-        self.radius * self.radius / A::Real::FRAC_1_PI
+        capped(self.radius * self.radius / A::Real::FRAC_1_PI)
     }
 
     /// The density of its points, per unit of area; at most MAX.
@@ -79,8 +85,8 @@ impl<A: Root> DiscLight<A> {
         at_most_max(self.area())
     }
 
-    /// The light's point for a pair of coordinates, as seen from a receiver; one so near that 1 / d^2 is no finite
-    /// number is on the light.
+    /// The light's point for a pair of coordinates, as seen from a receiver; one so near that d^2 is no normal number
+    /// is on the light.
     #[inline]
     pub fn sample(&self, receiver: [A::Real; 3], uv: [u32; 2]) -> LightSample<A::Real> {
         let [x_axis, y_axis, normal] = self.frame.axes();
@@ -88,7 +94,7 @@ impl<A: Root> DiscLight<A> {
         let point = along(along(self.centre, x * self.radius, x_axis), y * self.radius, y_axis);
         let to_light = along(point, -A::Real::ONE, receiver);
         let square = dot(to_light, to_light);
-        if !(square > A::Real::ONE / A::Real::MAX && square.finite()) {
+        if !(square >= A::Real::MIN_POSITIVE && square.finite()) {
             return LightSample { point, direction: normal, ..LightSample::default() };
         }
         let distance = A::sqrt(square);
@@ -115,10 +121,8 @@ impl<A: Root> DiscLight<A> {
         let density = distance * distance / (self.area() * cosine);
         if !inside || density.magnitude() <= A::Real::ZERO {
             A::Real::ZERO
-        } else if density.finite() {
-            density
         } else {
-            A::Real::MAX
+            capped(density)
         }
     }
 

@@ -3,7 +3,7 @@
 //!
 //! At grazing angles a part of the lobe is below the surface; [`BelowHorizon`] says what becomes of it.
 
-use super::{DirectionSample, along};
+use super::{DirectionSample, along, capped};
 use crate::arithmetic::{Arithmetic, Real};
 use crate::error::Error;
 use crate::frame::{Frame, dot};
@@ -65,7 +65,7 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
         match self.below {
             BelowHorizon::Flip => {
                 let flipped = in_surface(direction, height, normal);
-                density = sum(density, self.lobe.density(mirror.to_local(flipped)));
+                density = capped(density + self.lobe.density(mirror.to_local(flipped)));
                 if height < A::Real::ZERO {
                     direction = flipped;
                 }
@@ -92,20 +92,15 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
         let of = |direction| self.lobe.density(mirror.to_local(direction));
         if height > A::Real::ZERO {
             match self.below {
-                BelowHorizon::Flip => sum(of(direction), of(in_surface(direction, height, normal))),
+                BelowHorizon::Flip => {
+                    capped(of(direction) + of(in_surface(direction, height, normal)))
+                }
                 BelowHorizon::Reject | BelowHorizon::Zero => of(direction),
             }
         } else {
             A::Real::ZERO
         }
     }
-}
-
-/// Of densities, at most MAX.
-#[inline]
-fn sum<R: Real>(a: R, b: R) -> R {
-    let sum = a + b;
-    if sum.finite() { sum } else { R::MAX }
 }
 
 /// The normal on the side of arrival, and a frame about the mirror direction a - 2 (a n) n.

@@ -110,6 +110,9 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Map for Polygon<A, N> {
         let (blade, [s, t]) = self.found(point);
         let (s, t) = if t > s { (s + s, t + s) } else { (s + t, t + t) };
         let [u, v] = [s, t].map(|x| x.cell(32));
-        [(((blade as u64) << 32 | u64::from(u)) / N as u64) as u32, v]
+        let blades = (blade as u64) << 32;
+        // Rounded down it may be in the blade before, on whose far side v is another place.
+        let first = blades.div_ceil(N as u64);
+        [((blades | u64::from(u)) / N as u64).max(first) as u32, v]
     }
 }

@@ -5,7 +5,7 @@
 //! space, z ahead, that ray has the direction d = (d_x, d_y, 1); from the lens point (l_x, l_y) it is
 //! d - (l_x, l_y, 0) / f with the focal distance f. A lens of radius 0 gives d to the last bit.
 
-use super::{at_most_max, checked_distance, checked_radius};
+use super::{at_most_max, capped, checked_distance, checked_radius};
 use crate::arithmetic::{Arithmetic, Real};
 use crate::error::Error;
 use crate::map::Map;
@@ -85,7 +85,6 @@ where
     /// Radius of the blur, at a finite distance ahead, of a point in focus there: r |1 - distance / f|, at most MAX.
     #[inline]
     pub fn circle_of_confusion(&self, distance: R) -> R {
-        let blur = (self.radius - distance * (self.radius * self.nearness)).magnitude();
-        if blur.finite() { blur } else { R::MAX }
+        capped((self.radius - distance * (self.radius * self.nearness)).magnitude())
     }
 }

@@ -130,6 +130,23 @@ fn a_point_light_is_exact<A: Float>() {
     assert_eq!(light.area().into(), 0.0);
 }
 
+/// As large as can be: the area is a number, and so is what is seen of the light.
+fn the_largest_light_is_finite<A: Float>() {
+    let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
+    let largest = A::Real::MAX * (A::Real::HALF - A::Real::EPSILON);
+    let light = DiscLight::<A>::new(A::vector([0.0; 3]), up, largest).unwrap();
+    assert_eq!(light.area(), A::Real::MAX);
+    let sample = light.sample(A::vector([0.0, 0.0, -1.0]), [0, 0]);
+    assert!(wide([sample.weight, sample.density]).into_iter().all(f64::is_finite));
+    assert!(sample.point.into_iter().all(|x| x.into().is_finite()));
+    // Its rim would be nowhere.
+    for (centre, radius) in [([A::Real::ZERO; 3], A::Real::MAX), ([largest + largest; 3], largest)]
+    {
+        let found = DiscLight::<A>::new(centre, up, radius);
+        assert!(matches!(found, Err(Error::Position { .. })));
+    }
+}
+
 fn a_bad_radius_is_refused<A: Float>() {
     let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
     for radius in [-0.5, f64::NAN, f64::INFINITY] {
@@ -138,7 +155,16 @@ fn a_bad_radius_is_refused<A: Float>() {
     }
 }
 
+fn a_bad_centre_is_refused<A: Float>() {
+    let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
+    for component in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let centre = A::vector([0.0, component, 0.0]);
+        let found = DiscLight::<A>::new(centre, up, A::Real::ONE);
+        assert!(matches!(found, Err(Error::Position { .. })), "{component}");
+    }
+}
+
 each_float!(
     irradiance_is_that_of_the_closed_form densities_are_per_steradian no_light_where_none_goes
-    nearness_has_an_end a_point_light_is_exact a_bad_radius_is_refused
+    nearness_has_an_end a_point_light_is_exact the_largest_light_is_finite a_bad_radius_is_refused a_bad_centre_is_refused
 );

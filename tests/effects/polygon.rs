@@ -41,6 +41,20 @@ fn check<A: Float, const N: usize>(turns: f64) {
     }
 }
 
+/// On the first side of a blade u is its smallest, which must not be rounded down into the blade before.
+fn the_side_between_two_blades_is_found_again<A: Float>() {
+    let polygon = Polygon::<A, 5>::new(0);
+    for blade in 0..5_u64 {
+        let u = (blade << 32).div_ceil(5) as u32;
+        for v in [1 << 20, 1 << 30, 3 << 30] {
+            let point = polygon.sample([u, v]);
+            let [there, again] = [point, polygon.sample(polygon.invert(point))].map(wide);
+            let moved = (again[0] - there[0]).hypot(again[1] - there[1]);
+            assert_near(moved, 0.0, 8.0 * A::EPS, "inverse");
+        }
+    }
+}
+
 fn points_are_even_and_inside<A: Float>() {
     check::<A, 3>(0.25);
     check::<A, 5>(0.0);
@@ -49,4 +63,4 @@ fn points_are_even_and_inside<A: Float>() {
     check::<A, 16>(0.5);
 }
 
-each_float!(points_are_even_and_inside);
+each_float!(points_are_even_and_inside the_side_between_two_blades_is_found_again);

@@ -100,7 +100,7 @@ impl<A: Root> Light<A> for PointLight<A> {
     fn sample(&self, receiver: Vector<A>, _: impl Draw, _: &mut Counts) -> LightSample<A::Real> {
         let to_light = difference(self.position, receiver);
         let square = dot(to_light, to_light);
-        if !(square > A::Real::ONE / A::Real::MAX && square.finite()) {
+        if !(square >= A::Real::MIN_POSITIVE && square.finite()) {
             return LightSample::default();
         }
         let distance = A::sqrt(square);
