@@ -126,9 +126,16 @@ impl<'a, A: Arithmetic<Parameter: Arbitrary<'a>>> Arbitrary<'a> for Accepted<A> 
     }
 }
 
-/// A finite number, at least 0.
+/// A number, at least 0, of a finite area.
 fn radius<R: Real>(number: R) -> R {
-    if number.finite() { number.magnitude() } else { R::ONE }
+    let size = number.magnitude();
+    if (size * size / R::FRAC_1_PI).finite() {
+        size
+    } else if number.finite() {
+        R::ONE / size
+    } else {
+        R::ONE
+    }
 }
 
 /// A number above 0, infinity included.

@@ -11,8 +11,9 @@
 //! Every sample has its density, and the weight that an estimate multiplies with what the sample sees:
 //! the mean of weight times value is the integral that the effect stands for.
 //!
-//! Numbers are finite for all finite input, and where nothing is to be seen the weight is 0: a receiver on the
-//! light, in its plane or behind it. Vectors that are to be of unit length are taken as such.
+//! Numbers are finite for finite input, short of slopes and sums of coordinates beyond MAX, and where nothing is to be
+//! seen the weight is 0: a receiver on the light, in its plane or behind it. Vectors that are to be of unit length are
+//! taken as such.
 
 mod ambient_occlusion;
 mod disc_light;
@@ -40,9 +41,9 @@ pub struct DirectionSample<R> {
     pub weight: R,
 }
 
-/// A finite number, at least 0.
+/// A number, at least 0, of a finite area.
 fn checked_radius<R: Real>(radius: R) -> Result<R, Error> {
-    if radius >= R::ZERO && radius.finite() {
+    if radius >= R::ZERO && (radius * radius / R::FRAC_1_PI).finite() {
         Ok(radius)
     } else {
         Err(Error::Radius { value: radius.into() })
@@ -60,10 +61,11 @@ fn capped<R: Real>(x: R) -> R {
     if x.finite() { x } else { R::MAX }
 }
 
-/// 1 / x for x >= 0, at most MAX.
+/// 1 / x for x >= 0, as a normal number: of a density, which is positive.
 #[inline]
-fn at_most_max<R: Real>(x: R) -> R {
-    capped(R::ONE / x)
+fn inverse<R: Real>(x: R) -> R {
+    let inverse = capped(R::ONE / x);
+    if inverse > R::MIN_POSITIVE { inverse } else { R::MIN_POSITIVE }
 }
 
 /// a + k b.

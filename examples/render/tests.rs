@@ -1,5 +1,6 @@
 //! What an absent effect costs and changes: nothing. And that pictures do not depend on how they are split.
 
+mod closed_forms;
 mod command;
 mod noise;
 mod pictures;

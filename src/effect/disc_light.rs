@@ -6,7 +6,7 @@
 //! The weight is cos t / d^2: radiance A, the light's intensity along its axis, stays finite for a light of
 //! radius 0, which is a point.
 
-use super::{along, at_most_max, capped, checked_radius};
+use super::{along, capped, checked_radius, inverse};
 use crate::arithmetic::{Arithmetic, Real, Root};
 use crate::error::Error;
 use crate::frame::{Frame, dot};
@@ -38,13 +38,15 @@ pub struct DiscLight<A: Arithmetic> {
 pub struct LightSample<R> {
     /// On the light.
     pub point: [R; 3],
-    /// From the receiver, of unit length; the light's normal for a receiver at the point.
+    /// From the receiver, of unit length; the light's normal where d^2 is no normal number: for a receiver at the
+    /// point, and for one too far away.
     pub direction: [R; 3],
-    /// From the receiver.
+    /// From the receiver; 0 where d^2 is no normal number.
     pub distance: R,
-    /// Per steradian about the receiver, at most MAX; 0 where no light goes.
+    /// Per steradian about the receiver, a normal number; 0 where no light goes.
     pub density: R,
-    /// cos t / d^2: times the intensity along the axis and the receiver's cosine it is irradiance.
+    /// cos t / d^2, per square of the scene's unit: times the intensity along the axis and the receiver's cosine it is
+    /// irradiance. 0 behind the light and in its plane, which is as thick as coordinates round.
     pub weight: R,
 }
 
@@ -52,7 +54,7 @@ impl<A: Root> DiscLight<A> {
     /// A light about a centre, whose normal is the frame's third axis; one-sided.
     ///
     /// # Errors
-    /// [`Error::Radius`] for a radius that is not a finite number from 0 on, [`Error::Position`] for a centre
+    /// [`Error::Radius`] for a radius that is not a number from 0 on of a finite square, [`Error::Position`] for a centre
     /// from which the rim is not at finite numbers.
     pub fn new(
         centre: [A::Real; 3],
@@ -73,16 +75,16 @@ impl<A: Root> DiscLight<A> {
         Self { two_sided: true, ..self }
     }
 
-    /// pi r^2, at most MAX.
+    /// pi r^2.
     #[inline]
     pub fn area(&self) -> A::Real {
-        capped(self.radius * self.radius / A::Real::FRAC_1_PI)
+        self.radius * self.radius / A::Real::FRAC_1_PI
     }
 
     /// The density of its points, per unit of area; at most MAX.
     #[inline]
     pub fn area_density(&self) -> A::Real {
-        at_most_max(self.area())
+        inverse(self.area())
     }
 
     /// The light's point for a pair of coordinates, as seen from a receiver; one so near that d^2 is no normal number
@@ -99,9 +101,10 @@ impl<A: Root> DiscLight<A> {
         }
         let distance = A::sqrt(square);
         let direction = to_light.map(|component| component / distance);
-        let weight = self.cosine(direction) / square;
+        // The cosine by the plane: the side is the same for all points, and none is a rounding error.
+        let weight = self.shining(self.height(receiver) / distance) / square;
         let density =
-            if weight > A::Real::ZERO { at_most_max(self.area() * weight) } else { A::Real::ZERO };
+            if weight > A::Real::ZERO { inverse(self.area() * weight) } else { A::Real::ZERO };
         LightSample { point, direction, distance, density, weight }
     }
 
@@ -109,27 +112,35 @@ impl<A: Root> DiscLight<A> {
     /// radius 0, which no direction but the sampled ones meets.
     #[inline]
     pub fn density(&self, receiver: [A::Real; 3], direction: [A::Real; 3]) -> A::Real {
-        let cosine = self.cosine(direction);
         let normal = self.frame.axes()[2];
-        let to_centre = along(self.centre, -A::Real::ONE, receiver);
-        let distance = dot(to_centre, normal) / dot(direction, normal);
+        let toward = -dot(direction, normal);
+        let cosine = self.shining(toward);
+        let distance = self.height(receiver) / toward;
         if !(cosine > A::Real::ZERO && distance > A::Real::ZERO) {
             return A::Real::ZERO;
         }
+        let to_centre = along(self.centre, -A::Real::ONE, receiver);
         let from_centre = along(to_centre, -distance, direction);
         let inside = dot(from_centre, from_centre) < self.radius * self.radius;
         let density = distance * distance / (self.area() * cosine);
-        if !inside || density.magnitude() <= A::Real::ZERO {
-            A::Real::ZERO
-        } else {
-            capped(density)
-        }
+        if inside { capped(density) } else { A::Real::ZERO }
     }
 
-    /// cos t of a direction toward the light, 0 on a side where it does not shine.
+    /// Of a receiver above the light's plane, on the side of the normal; 0 where rounding of the coordinates decides
+    /// the side.
     #[inline]
-    fn cosine(&self, direction: [A::Real; 3]) -> A::Real {
-        let cosine = -dot(direction, self.frame.axes()[2]);
+    fn height(&self, receiver: [A::Real; 3]) -> A::Real {
+        let normal = self.frame.axes()[2];
+        let height = dot(along(receiver, -A::Real::ONE, self.centre), normal);
+        let sizes = |i: usize| self.centre[i].magnitude() + receiver[i].magnitude();
+        let size = dot(core::array::from_fn(sizes), normal.map(Real::magnitude));
+        let rounding = size * A::Real::EPSILON * A::Real::FOUR;
+        if height.magnitude() > rounding { height } else { A::Real::ZERO }
+    }
+
+    /// cos t of a cosine to the normal: 0 on a side where the light does not shine.
+    #[inline]
+    fn shining(&self, cosine: A::Real) -> A::Real {
         if cosine > A::Real::ZERO {
             cosine
         } else if self.two_sided {

@@ -96,8 +96,10 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Map for Polygon<A, N> {
     /// 1 / area inside, 0 outside.
     #[inline]
     fn density(&self, point: [A::Real; 2]) -> A::Real {
-        let (_, [s, t]) = self.found(point);
-        let slack = A::Real::EPSILON * A::Real::FOUR;
+        let (blade, [s, t]) = self.found(point);
+        let [a, b] = self.blade(blade);
+        // A share is as wrong as its blade is narrow.
+        let slack = A::Real::EPSILON * A::Real::FOUR / cross(a, b);
         if s >= -slack && t >= -slack && s + t <= A::Real::ONE + slack {
             self.density
         } else {

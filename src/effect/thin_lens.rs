@@ -5,7 +5,7 @@
 //! space, z ahead, that ray has the direction d = (d_x, d_y, 1); from the lens point (l_x, l_y) it is
 //! d - (l_x, l_y, 0) / f with the focal distance f. A lens of radius 0 gives d to the last bit.
 
-use super::{at_most_max, capped, checked_distance, checked_radius};
+use super::{capped, checked_distance, checked_radius, inverse};
 use crate::arithmetic::{Arithmetic, Real};
 use crate::error::Error;
 use crate::map::Map;
@@ -38,7 +38,7 @@ pub struct LensRay<R> {
     pub origin: [R; 3],
     /// Ahead, with z = 1: not of unit length.
     pub direction: [R; 3],
-    /// Of the origin, per unit of area; at most MAX.
+    /// Of the origin, per unit of area: a normal number, for any radius.
     pub density: R,
     /// 1: a pixel is the mean over its lens.
     pub weight: R,
@@ -51,11 +51,11 @@ where
     /// A lens of a radius, 0 for a pinhole, in focus at a distance, which may be infinite.
     ///
     /// # Errors
-    /// [`Error::Radius`] for a radius that is not a finite number from 0 on, [`Error::Distance`] for a
+    /// [`Error::Radius`] for a radius that is not a number from 0 on of a finite square, [`Error::Distance`] for a
     /// distance that is not above 0, or so near that radius / distance is no finite number.
     pub fn new(aperture: M, radius: R, focal_distance: R) -> Result<Self, Error> {
         let radius = checked_radius(radius)?;
-        let nearness = at_most_max(checked_distance(focal_distance)?);
+        let nearness = capped(R::ONE / checked_distance(focal_distance)?);
         if !(radius * nearness).finite() {
             return Err(Error::Distance { value: focal_distance.into() });
         }
@@ -77,12 +77,13 @@ where
         LensRay {
             origin: [x, y, R::ZERO],
             direction: [d_x - x * self.nearness, d_y - y * self.nearness, R::ONE],
-            density: at_most_max(self.radius * self.radius / self.aperture.density(unit)),
+            density: inverse(self.radius * self.radius / self.aperture.density(unit)),
             weight: R::ONE,
         }
     }
 
-    /// Radius of the blur, at a finite distance ahead, of a point in focus there: r |1 - distance / f|, at most MAX.
+    /// Radius of the disc that the rays of a pixel fill at a finite distance ahead: r |1 - distance / f|, in the lens's
+    /// unit, at most MAX. Divided by the distance it is that of the blur in the image plane z = 1.
     #[inline]
     pub fn circle_of_confusion(&self, distance: R) -> R {
         capped((self.radius - distance * (self.radius * self.nearness)).magnitude())

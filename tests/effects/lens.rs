@@ -78,9 +78,14 @@ fn bad_lenses_are_refused<A: Float>() {
     let pinhole = lens(0.0, 1.0).unwrap();
     assert_eq!(pinhole.circle_of_confusion(A::Real::MAX), A::Real::ZERO);
     // A ray's slope, r / f, has to be a number.
-    let [most, least] = [A::Real::MAX, A::Real::ONE / A::Real::MAX];
-    let refused = ThinLens::new(Concentric::<A>::new(), most, A::Real::HALF);
-    assert_eq!(refused, Err(Error::Distance { value: 0.5 }));
+    let least = A::Real::ONE / A::Real::MAX;
+    let refused = ThinLens::new(Concentric::<A>::new(), A::Real::FOUR, least);
+    assert_eq!(refused, Err(Error::Distance { value: least.into() }));
+    // As large as can be, its density is a number above 0.
+    let largest = A::real((A::Real::MAX.into() / 4.0).sqrt());
+    let wide = ThinLens::new(Concentric::<A>::new(), largest, A::Real::MAX).unwrap();
+    assert!(wide.ray([A::Real::ZERO; 2], [0, 7]).density.into() > 0.0);
+    assert!(ThinLens::new(Concentric::<A>::new(), A::Real::MAX, A::Real::MAX).is_err());
     let steep = ThinLens::new(Concentric::<A>::new(), A::Real::HALF, least).unwrap();
     assert_eq!(steep.circle_of_confusion(A::Real::MAX), A::Real::MAX);
     assert!(

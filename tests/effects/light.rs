@@ -133,23 +133,63 @@ fn a_point_light_is_exact<A: Float>() {
 /// As large as can be: the area is a number, and so is what is seen of the light.
 fn the_largest_light_is_finite<A: Float>() {
     let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
-    let largest = A::Real::MAX * (A::Real::HALF - A::Real::EPSILON);
+    let most: f64 = A::Real::MAX.into();
+    let largest = A::real((most / PI).sqrt() * (1.0 - 1e-6));
     let light = DiscLight::<A>::new(A::vector([0.0; 3]), up, largest).unwrap();
-    assert_eq!(light.area(), A::Real::MAX);
-    let sample = light.sample(A::vector([0.0, 0.0, -1.0]), [0, 0]);
-    assert!(wide([sample.weight, sample.density]).into_iter().all(f64::is_finite));
-    assert!(sample.point.into_iter().all(|x| x.into().is_finite()));
+    assert_near(light.area().into() / most, 1.0, 3e-6, "area");
+    for height in [1.0, 1e9, most.sqrt()] {
+        let sample = light.sample(A::vector([0.0, 0.0, height]), [1 << 31, 1 << 31]);
+        let [weight, density]: [f64; 2] = wide([sample.weight, sample.density]);
+        assert!(weight.is_finite() && density.is_finite());
+        assert_eq!(weight > 0.0, density > 0.0);
+        assert!(sample.point.into_iter().all(|x| x.into().is_finite()));
+    }
     // Its rim would be nowhere.
-    for (centre, radius) in [([A::Real::ZERO; 3], A::Real::MAX), ([largest + largest; 3], largest)]
-    {
-        let found = DiscLight::<A>::new(centre, up, radius);
-        assert!(matches!(found, Err(Error::Position { .. })));
+    let found = DiscLight::<A>::new([A::Real::MAX; 3], up, A::Real::ONE);
+    assert!(found.is_ok());
+    let found = DiscLight::<A>::new([A::Real::MAX; 3], up, largest + largest);
+    assert!(matches!(found, Err(Error::Radius { .. })));
+}
+
+/// However a light is turned and wherever it is, a receiver in its plane gets nothing, as rounding may have it on
+/// either side; one that is off by more than coordinates round gets what it should.
+fn a_plane_is_as_thick_as_coordinates_round<A: Float>() {
+    for (normal, place) in [
+        ([0.3, -0.8, 0.5], [0.0, 0.0, 0.0]),
+        ([0.3, -0.8, 0.5], [2.0, 7.0, -3.0]),
+        ([-0.6, 0.1, 0.7], [100.0, -30.0, 5.0]),
+    ] {
+        let frame = Frame::normalized::<A>(A::vector(normal)).unwrap();
+        let light = DiscLight::<A>::new(A::vector(place), frame, A::real(0.5)).unwrap();
+        let both = light.two_sided();
+        for i in 0..1000 {
+            let [u, v] = Random::new(5).at(i);
+            let [u, v] = [u, v].map(|k| A::real((f64::from(k) / 2_f64.powi(31) - 1.0) * 1.5));
+            let at = |height: f64| {
+                let up = frame.to_world([u, v, A::real(height)]);
+                core::array::from_fn(|i| A::real(place[i]) + up[i])
+            };
+            let uv = SobolOwen::new(1).point(i);
+            for light in [light, both] {
+                let sample = light.sample(at(0.0), uv);
+                assert_eq!(wide([sample.weight, sample.density]), [0.0; 2], "{i}");
+                assert_eq!(light.density(at(0.0), sample.direction).into(), 0.0);
+            }
+            let lit = light.sample(at(0.01), uv);
+            let distance: f64 = lit.distance.into();
+            let found = lit.weight.into() * distance.powi(3);
+            // Coordinates of 100 have a step of 8e-6 in f32.
+            assert_near(found, 0.01, 2e-5 + A::EPS * 0.01, "near");
+            assert_eq!(light.sample(at(-0.01), uv).weight.into(), 0.0);
+            assert!(both.sample(at(-0.01), uv).weight.into() > 0.0);
+        }
     }
 }
 
 fn a_bad_radius_is_refused<A: Float>() {
     let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
-    for radius in [-0.5, f64::NAN, f64::INFINITY] {
+    let large = A::Real::MAX.into().sqrt();
+    for radius in [-0.5, f64::NAN, f64::INFINITY, large] {
         let found = DiscLight::<A>::new(A::vector([0.0; 3]), up, A::real(radius));
         assert!(matches!(found, Err(Error::Radius { .. })), "{radius}");
     }
@@ -166,5 +206,5 @@ fn a_bad_centre_is_refused<A: Float>() {
 
 each_float!(
     irradiance_is_that_of_the_closed_form densities_are_per_steradian no_light_where_none_goes
-    nearness_has_an_end a_point_light_is_exact the_largest_light_is_finite a_bad_radius_is_refused a_bad_centre_is_refused
+    nearness_has_an_end a_point_light_is_exact the_largest_light_is_finite a_plane_is_as_thick_as_coordinates_round a_bad_radius_is_refused a_bad_centre_is_refused
 );

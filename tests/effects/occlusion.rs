@@ -54,6 +54,13 @@ fn under_a_sphere<A: Float>() {
     }
 }
 
+/// What is at the reach, or beyond, hides nothing.
+fn the_reach_is_open<A: Float>() {
+    let occlusion = AmbientOcclusion::<A>::new(A::real(2.0)).unwrap();
+    let openness = |met: Option<f64>| -> f64 { occlusion.openness(met.map(A::real)).into() };
+    assert_eq!([Some(1.999), Some(2.0), Some(2.001), None].map(openness), [0.0, 1.0, 1.0, 1.0]);
+}
+
 fn a_bad_reach_is_refused<A: Float>() {
     for reach in [0.0, -1.0, f64::NAN] {
         let found = AmbientOcclusion::<A>::new(A::real(reach));
@@ -61,4 +68,4 @@ fn a_bad_reach_is_refused<A: Float>() {
     }
 }
 
-each_float!(beside_a_wall within_a_reach under_a_sphere a_bad_reach_is_refused);
+each_float!(beside_a_wall within_a_reach the_reach_is_open under_a_sphere a_bad_reach_is_refused);

@@ -54,10 +54,15 @@ fn lit<A: Root>(scene: &Scene<'_, A, impl Points>, hit: &Hit<'_, A, Mirror>) -> 
     let to_light: Vector<A> = core::array::from_fn(|i| light.position[i] - hit.point[i]);
     let square = dot(to_light, to_light);
     let mut share = A::Real::ZERO;
-    if square > A::Real::ONE / A::Real::MAX && square.finite() {
+    if square >= A::Real::MIN_POSITIVE && square.finite() {
         let distance = A::sqrt(square);
         let direction = to_light.map(|component| component / distance);
-        let cosine = -dot(direction, light.normal);
+        let away: Vector<A> = core::array::from_fn(|i| hit.point[i] + -light.position[i]);
+        let height = dot(away, light.normal);
+        let sizes = |i: usize| light.position[i].magnitude() + hit.point[i].magnitude();
+        let size = dot(core::array::from_fn(sizes), light.normal.map(Real::magnitude));
+        let rounding = size * A::Real::EPSILON * A::Real::FOUR;
+        let cosine = if height.magnitude() > rounding { height / distance } else { A::Real::ZERO };
         if cosine > A::Real::ZERO || light.two_sided {
             let facing = cosine.magnitude() / square * dot(direction, hit.normal);
             let visible = facing * A::Real::FRAC_1_PI;

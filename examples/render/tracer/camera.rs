@@ -26,7 +26,7 @@ pub struct Camera<A: Arithmetic> {
 }
 
 impl<A: Root> Camera<A> {
-    /// A camera at a position that looks ahead, with the world's y axis up in the image; `slope` is the tangent of
+    /// A camera at a position that looks ahead at a picture of at least one pixel, with the world's y axis up in the image; `slope` is the tangent of
     /// half the vertical field of view.
     ///
     /// # Errors

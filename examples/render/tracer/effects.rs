@@ -49,7 +49,7 @@ pub trait Ambient<A: Root> {
 
 /// Where a shiny surface looks.
 pub trait Reflection<A: Root> {
-    /// A direction above the surface, if there is one.
+    /// A direction above the surface; without one the sample sees nothing there, and its energy is lost.
     fn sample(
         &self,
         arriving: Vector<A>,
@@ -105,7 +105,12 @@ impl<A: Root> Light<A> for PointLight<A> {
         }
         let distance = A::sqrt(square);
         let direction = to_light.map(|component| component / distance);
-        let cosine = -dot(direction, self.normal);
+        let height = dot(difference(receiver, self.position), self.normal);
+        let sizes = |i: usize| self.position[i].magnitude() + receiver[i].magnitude();
+        let size = dot(core::array::from_fn(sizes), self.normal.map(Real::magnitude));
+        // A receiver whose side rounding decides is in the light's plane.
+        let in_plane = height.magnitude() <= size * A::Real::EPSILON * A::Real::FOUR;
+        let cosine = if in_plane { A::Real::ZERO } else { height / distance };
         let shines = cosine > A::Real::ZERO || self.two_sided;
         let weight = if shines { cosine.magnitude() / square } else { A::Real::ZERO };
         LightSample { point: self.position, direction, distance, weight, ..LightSample::default() }

@@ -10,6 +10,9 @@
 //! [`Renderer::row`] adds samples to the caller's sums, so a frame may be split by rows, by parts of rows and by
 //! ranges of samples. Sums are the same bits for any split in which a pixel's samples are added in order.
 //!
+//! Its numbers are those of any `arithmetic::Root`. It takes their constants and tests from `arithmetic::Real`, whose
+//! items are hidden, for they are the crate's own: a renderer of yours in `f32` alone has no need of them.
+//!
 //! `mod.rs`, so that a `#[path]` to this file finds the others beside it.
 
 mod camera;

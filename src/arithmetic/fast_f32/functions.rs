@@ -33,7 +33,8 @@ pub(super) const fn sqrt(x: f32) -> f32 {
 /// sqrt x = s (1 + h / 2 + 3/8 h^2 + ..), short of the truth by 5/16 h^3 < 1e-8.
 #[inline(always)]
 pub(super) const fn normal_sqrt(x: f32) -> f32 {
-    let y = f32::from_bits(0x5f20_0000 - (x.to_bits() >> 1));
+    // Wraps for what is not a root's argument; the result is then none either.
+    let y = f32::from_bits(0x5f20_0000_u32.wrapping_sub(x.to_bits() >> 1));
     let y = y * (1.680_819_6 - 0.703_494 * x * y * y);
     let s = x * y;
     let residual = (x - s * s) * y;
