@@ -11,7 +11,7 @@ macro_rules! fill {
     ($visitor:ident, $path:expr, $effect:ty, $value:expr, $sample:expr) => {{
         #[unsafe(export_name = $path)]
         #[inline(never)]
-        fn fill(effect: &$effect, coordinates: &[[u32; 2]], points: &mut [[f32; 5]]) -> usize {
+        fn fill(effect: &$effect, coordinates: &[[u32; 2]], points: &mut [[f32; 6]]) -> usize {
             let mut filled = 0;
             for (uv, point) in coordinates.iter().zip(points) {
                 *point = $sample(effect, *uv);
@@ -20,7 +20,7 @@ macro_rules! fill {
             filled
         }
         let effect = black_box($value);
-        $visitor.points($path, |coordinates, points: &mut [[f32; 5]]| {
+        $visitor.points($path, |coordinates, points: &mut [[f32; 6]]| {
             fill(&effect, coordinates, points)
         });
     }};
@@ -43,7 +43,7 @@ macro_rules! effects {
             |light: &DiscLight<$arithmetic>, uv| {
                 let sample = light.sample([0.0; 3], uv);
                 let [x, y, z] = sample.direction;
-                [x, y, z, sample.density, sample.weight]
+                [x, y, z, sample.distance, sample.density, sample.weight]
             }
         );
         fill!(
@@ -53,7 +53,7 @@ macro_rules! effects {
             |(occlusion, ground): &(AmbientOcclusion<$arithmetic>, Frame<f32>), uv| {
                 let sample = occlusion.sample(ground, uv);
                 let [x, y, z] = sample.direction;
-                [x, y, z, sample.density, sample.weight]
+                [x, y, z, 0.0, sample.density, sample.weight]
             }
         );
         fill!(
@@ -63,19 +63,19 @@ macro_rules! effects {
                 let sample = gloss.sample([0.6, -0.8, 0.0], [0.0, 1.0, 0.0], uv);
                 let sample = sample.unwrap_or_default();
                 let [x, y, z] = sample.direction;
-                [x, y, z, sample.density, sample.weight]
+                [x, y, z, 0.0, sample.density, sample.weight]
             }
         );
     )*};
 }
 
-fn through<M>(lens: &ThinLens<M, f32>, uv: [u32; 2]) -> [f32; 5]
+fn through<M>(lens: &ThinLens<M, f32>, uv: [u32; 2]) -> [f32; 6]
 where
     M: hemidisc::Map<Point = [f32; 2], Arithmetic: Root<Real = f32>>,
 {
     let ray = lens.ray([0.5, -0.25], uv);
     let [[x, y, _], [ahead_x, ahead_y, _]] = [ray.origin, ray.direction];
-    [x, y, ahead_x, ahead_y, ray.density]
+    [x, y, ahead_x, ahead_y, ray.density, ray.weight]
 }
 
 fn all(visitor: &mut impl Visitor) -> Result<(), Error> {
