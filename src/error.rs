@@ -104,7 +104,7 @@ pub enum Error {
     NoDirection,
     /// A limit of zero draws for each point.
     NoDraws,
-    /// A radius that is not a finite number from 0 on.
+    /// A radius that is not a finite number from 0 on, or one of a light whose area is no finite number.
     Radius {
         /// What was given (an `f32` widens to `f64` exactly).
         value: f64,
@@ -168,7 +168,10 @@ impl fmt::Display for Error {
             ),
             Self::NoDraws => f.write_str("a limit of 0 draws a point; accepted: at least 1"),
             Self::Radius { value } => {
-                write!(f, "radius is {value}; accepted: a finite number, at least 0")
+                write!(
+                    f,
+                    "radius is {value}; accepted: a finite number, at least 0; of a light, one that the area is finite for"
+                )
             }
             Self::Position { value } => {
                 write!(

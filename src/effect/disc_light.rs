@@ -52,20 +52,24 @@ impl<A: Root> DiscLight<A> {
     /// A light about a centre, whose normal is the frame's third axis; one-sided.
     ///
     /// # Errors
-    /// [`Error::Radius`] for a radius that is not a finite number from 0 on, [`Error::Position`] for a centre
-    /// from which the rim is not at finite numbers.
+    /// [`Error::Radius`] for a radius that is not a number from 0 on with a finite area, [`Error::Position`] for a
+    /// centre from which the rim is not at finite numbers.
     pub fn new(
         centre: [A::Real; 3],
         frame: Frame<A::Real>,
         radius: A::Real,
     ) -> Result<Self, Error> {
         let radius = checked_radius(radius)?;
-        // Twice, for the sums round.
-        let bad = |component: &A::Real| !(component.magnitude() + radius + radius).finite();
-        if let Some(component) = centre.into_iter().find(bad) {
-            return Err(Error::Position { value: component.into() });
+        let light = Self { map: Concentric::new(), centre, frame, radius, two_sided: false };
+        if !light.area().finite() {
+            return Err(Error::Radius { value: radius.into() });
         }
-        Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false })
+        // Twice, for the sums round.
+        let beyond = |component: &A::Real| !(component.magnitude() + radius + radius).finite();
+        match centre.into_iter().find(beyond) {
+            Some(component) => Err(Error::Position { value: component.into() }),
+            None => Ok(light),
+        }
     }
 
     /// The same light, shining to both sides.
@@ -73,10 +77,10 @@ impl<A: Root> DiscLight<A> {
         Self { two_sided: true, ..self }
     }
 
-    /// pi r^2, at most MAX.
+    /// pi r^2.
     #[inline]
     pub fn area(&self) -> A::Real {
-        capped(self.radius * self.radius / A::Real::FRAC_1_PI)
+        self.radius * self.radius / A::Real::FRAC_1_PI
     }
 
     /// The density of its points, per unit of area; at most MAX.
