@@ -20,9 +20,7 @@ mod sample;
 mod vector;
 
 pub use camera::{Camera, Ray};
-pub use effects::{
-    Ambient, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Unoccluded,
-};
+pub use effects::{Ambient, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Unoccluded};
 pub use geometry::{Checker, Finish, Material, Plane, Sphere};
 pub use renderer::{Renderer, Sky};
 pub use sample::{Counts, Points, Tally, sobol_owen};
