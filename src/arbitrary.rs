@@ -163,7 +163,9 @@ made_of! {
     [A: Root<Real: Arbitrary<'a>>]
     DiscLight<A>: ([A::Real; 3], Frame<A::Real>, A::Real, bool) => |(centre, frame, size, both)| {
         let centre = centre.map(|x| if x.finite() { x } else { A::Real::ZERO });
-        let light = Self::new(centre, frame, radius(size))?;
+        // With a rim beyond all numbers it has the radius 1.
+        let new = |radius| Self::new(centre, frame, radius);
+        let light = new(radius(size)).or_else(|_| new(A::Real::ONE))?;
         Ok(if both { light.two_sided() } else { light })
     };
     [A: Arithmetic<Real: Real + Arbitrary<'a>>]

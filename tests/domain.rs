@@ -7,12 +7,19 @@
 
 #[macro_use]
 mod arithmetics;
+#[path = "accuracy/errors.rs"]
+#[expect(dead_code, reason = "the accuracy tests look for stale bounds too")]
+mod errors;
+#[path = "checks/promises.rs"]
+mod promises;
+#[path = "accuracy/reference.rs"]
+mod reference;
 
-use arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic};
-use hemidisc::arithmetic::{Arithmetic, Float, contract::contract};
-use hemidisc::catalogue::{MapVisitor, maps, power_maps};
+use arithmetics::{Number, Tested, every_arithmetic};
+use hemidisc::arithmetic::Float;
 use hemidisc::invariant::{self, Exact, in_unit_disc};
 use hemidisc::{Concentric, Cosine, LibmF32, Map, Polar, Power, Uniform};
+use promises::{AtSample, Total};
 use proptest::prelude::*;
 
 /// Any bit pattern; the hard ones, near an edge, the centre or a power of two, as often as not.
@@ -44,138 +51,6 @@ fn exponent() -> impl Strategy<Value = f32> {
         (-1.0_f32..0.0).prop_filter("above -1", |e| *e > -1.0),
         prop::sample::select(vec![0.0, 1.0, f32::MAX, -1.0 + f32::EPSILON / 2.0, 1e8]),
     ]
-}
-
-/// What must hold for each map at one sample.
-struct Promises {
-    uv: [u32; 2],
-    exponent: f64,
-}
-
-impl Promises {
-    fn mirrored<R: Exact, const D: usize, M: Map<Point = [R; D]>>(&self, disc: &str, map: &M) {
-        match disc {
-            "polar" => invariant::mirrored_polar(map, self.uv),
-            _ => invariant::mirrored_concentric(map, self.uv),
-        }
-        .unwrap_or_else(|v| panic!("{} e = {}: {v}", M::Arithmetic::NAME, self.exponent));
-    }
-
-    /// libm f64 gives back the coordinates; every arithmetic comes back to the same place within its
-    /// contract.
-    fn inverted<R: Exact, const D: usize, M>(&self, kind: &str, map: &M)
-    where
-        M: Map<Point = [R; D]>,
-    {
-        let name = M::Arithmetic::NAME;
-        let label = format!("{name} e = {:e} at {:08x?}", self.exponent, self.uv);
-        if name == "libm-f64" && (0.0..=1e8).contains(&self.exponent) {
-            invariant::inverted(map, self.uv).unwrap_or_else(|v| panic!("{label}: {v}"));
-        }
-        let point = map.sample(self.uv).map(Exact::exact);
-        let again = map.sample(map.invert(map.sample(self.uv))).map(Exact::exact);
-        if (0.0..=1e8).contains(&self.exponent) {
-            let contract = contract(name, kind).unwrap();
-            let moved = point.iter().zip(again).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
-            let moved = moved / contract.unit;
-            assert!(moved <= contract.inverse, "{label}: moved by {moved}");
-        }
-    }
-}
-
-impl<A: Tested> MapVisitor<A> for Promises {
-    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
-        invariant::disc(&map, self.uv).unwrap_or_else(|v| panic!("{}: {v}", A::NAME));
-        self.mirrored(name, &map);
-        self.inverted("disc", &map);
-    }
-
-    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
-        &mut self,
-        lobe: &'static str,
-        disc: &'static str,
-        map: M,
-    ) {
-        invariant::hemisphere(&map, self.uv)
-            .unwrap_or_else(|v| panic!("{} e = {}: {v}", A::NAME, self.exponent));
-        self.mirrored(disc, &map);
-        self.inverted(lobe, &map);
-    }
-}
-
-/// The promises at one sample: of every map without an exponent, and of lobes of the exponent given,
-/// where the arithmetic has it, and of one of its own, of random bits.
-struct AtSample {
-    uv: [u32; 2],
-    exponent: f32,
-    bits: u64,
-}
-
-impl EachArithmetic for AtSample {
-    fn each<A: Tested>(&mut self) {
-        let mut promises = Promises { uv: self.uv, exponent: 0.0 };
-        maps::<A>(&mut promises);
-        let given = A::Parameter::exactly(self.exponent.into());
-        for parameter in given.into_iter().chain(A::Parameter::any(self.bits)) {
-            promises.exponent = parameter.value();
-            power_maps::<A>(parameter, &mut promises).unwrap();
-        }
-    }
-}
-
-/// Points and directions that no sample has given: inverses are in the square and densities are numbers.
-struct Total {
-    numbers: [f64; 3],
-    exponent: f64,
-}
-
-impl EachArithmetic for Total {
-    fn each<A: Tested>(&mut self) {
-        let mut lobes = Given { numbers: self.numbers };
-        maps::<A>(&mut lobes);
-        if let Some(parameter) = A::Parameter::exactly(self.exponent) {
-            power_maps::<A>(parameter, &mut lobes).unwrap();
-        }
-    }
-}
-
-struct Given {
-    numbers: [f64; 3],
-}
-
-impl Given {
-    fn point<A: Tested>(&self) -> [A::Real; 3] {
-        let number = |x: f64| if A::Real::FIXED && x.is_nan() { 0.0 } else { x };
-        self.numbers.map(|x| A::Real::nearest(number(x)))
-    }
-
-    fn check<A: Tested, M: Map<Arithmetic = A>>(&self, map: &M, point: M::Point) {
-        map.invert(point);
-        let density = map.density(point).exact();
-        assert!(density >= 0.0 && density.is_finite(), "{} {:?}: {density}", A::NAME, self.numbers);
-    }
-}
-
-impl<A: Tested> MapVisitor<A> for Given {
-    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, _: &'static str, map: M) {
-        let [x, y, _] = self.point::<A>();
-        self.check(&map, [x, y]);
-    }
-
-    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
-        &mut self,
-        _: &'static str,
-        _: &'static str,
-        map: M,
-    ) {
-        let [x, y, z] = self.point::<A>();
-        // A cosine lobe has a density at a z that is no direction's, and an infinite one at infinity.
-        let z = if z.exact() > 1.0 { A::Real::nearest(1.0) } else { z };
-        self.check(&map, [x, y, z]);
-        if z.exact() <= 0.0 {
-            assert_eq!(map.density([x, y, z]).exact(), 0.0, "{}", A::NAME);
-        }
-    }
 }
 
 proptest! {

@@ -1,24 +1,13 @@
 //! Frames: orthonormal about any unit vector, exact near z = -1, and world-space sampling.
 #![cfg(feature = "libm")]
 
+#[path = "checks/orthonormal.rs"]
+mod orthonormal;
+
 use hemidisc::sequence::{Random, SobolOwen};
 use hemidisc::{Cosine, Error, Frame, LibmF32, LibmF64, Map, Points, Power, UnitSquare};
+use orthonormal::{LARGEST, deviation, dot};
 use proptest::prelude::*;
-
-fn dot<R: Copy + Into<f64>>(a: [R; 3], b: [R; 3]) -> f64 {
-    a.into_iter().zip(b).map(|(a, b)| a.into() * b.into()).sum()
-}
-
-/// The largest deviation of the axes' Gram matrix from the identity, and of their determinant
-/// from +1.
-fn deviation(axes: [[f32; 3]; 3]) -> f64 {
-    let [x, y, z] = axes.map(|axis| axis.map(f64::from));
-    let cross = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
-    let handed = dot(cross, z) - 1.0;
-    let units = [x, y, z].map(|axis| dot(axis, axis) - 1.0);
-    let angles = [dot(x, y), dot(y, z), dot(z, x)];
-    units.into_iter().chain(angles).chain([handed]).fold(0.0, |worst, d| d.abs().max(worst))
-}
 
 /// A unit vector in f32 from any direction, rounded once.
 fn unit([x, y, z]: [f64; 3]) -> [f32; 3] {
@@ -40,7 +29,7 @@ proptest! {
         prop_assume!(z != 0.0);
         let normal = unit([x * scale, y * scale, z]);
         let frame = Frame::new(normal).unwrap();
-        prop_assert!(deviation(frame.axes()) < 8.0 * EPS, "{normal:?}: {}", deviation(frame.axes()) / EPS);
+        prop_assert!(deviation(frame.axes()) < LARGEST * EPS, "{normal:?}: {}", deviation(frame.axes()) / EPS);
         prop_assert_eq!(frame.axes()[2], normal);
         let local = [0.25_f32, -0.5, 0.75];
         let back = frame.to_local(frame.to_world(local));
@@ -88,7 +77,7 @@ fn any_length_is_normalized() {
         [[3.0_f32, -4.0, 12.0], [f32::MAX; 3], [smallest, 0.0, -smallest], [1e-38, 1e-42, 0.0]]
     {
         let frame = Frame::normalized::<LibmF32>(vector).unwrap();
-        assert!(deviation(frame.axes()) < 8.0 * EPS, "{vector:?}");
+        assert!(deviation(frame.axes()) < LARGEST * EPS, "{vector:?}");
         let exact = unit(vector.map(f64::from));
         for (a, b) in frame.axes()[2].into_iter().zip(exact) {
             assert!(f64::from(a - b).abs() < 3.0 * EPS, "{vector:?}");

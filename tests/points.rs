@@ -2,29 +2,18 @@
 //! order, give what the same operations on a slice of all points give.
 #![cfg(feature = "libm")]
 
+#[path = "checks/model.rs"]
+mod model;
+
 use hemidisc::sequence::{
-    Correlated, Halton, Hammersley, Jittered, R2, Random, Sequence, Shuffled, Sobol, SobolOwen,
-    Stored,
+    Correlated, Halton, Hammersley, Jittered, R2, Random, Shuffled, Sobol, SobolOwen, Stored,
 };
 use hemidisc::{
     Concentric, Cosine, Domain, Error, FastF32, Frame, LibmF32, LibmF64, Map, Points, Polar, Power,
     Uniform, UnitSquare,
 };
+use model::{Op, check_range, slice};
 use proptest::prelude::*;
-use std::fmt::Debug;
-
-#[derive(Clone, Copy, Debug)]
-enum Op {
-    Next,
-    NextBack,
-    Nth(usize),
-    NthBack(usize),
-    SplitKeep { at: u32, front: bool },
-    Fill(usize),
-    Get(u32),
-    Shard { shard: u32, of: u32 },
-    Range { start: u32, count: u32 },
-}
 
 fn op() -> impl Strategy<Value = Op> {
     prop_oneof![
@@ -33,105 +22,11 @@ fn op() -> impl Strategy<Value = Op> {
         2 => (0..9_usize).prop_map(Op::Nth),
         2 => (0..9_usize).prop_map(Op::NthBack),
         1 => (0..700_u32, any::<bool>()).prop_map(|(at, front)| Op::SplitKeep { at, front }),
-        2 => (0..300_usize).prop_map(Op::Fill),
+        2 => (0..300_u16).prop_map(Op::Fill),
         1 => (0..700_u32).prop_map(Op::Get),
         1 => (0..4_u32, 0..5_u32).prop_map(|(shard, of)| Op::Shard { shard, of }),
         1 => (0..64_u32, 0..600_u32).prop_map(|(start, count)| Op::Range { start, count }),
     ]
-}
-
-/// Runs the operations on the iterator of a set and on that of a slice of its points.
-fn check<S: Sequence, M: Map<Point: PartialEq + Debug>>(
-    points: Points<S, M>,
-    all: &[M::Point],
-    ops: &[Op],
-) {
-    let (mut iter, mut model) = (points.iter(), all.iter());
-    for &op in ops {
-        let (left, slice) = (iter.as_points(), model.as_slice());
-        match op {
-            Op::Next => assert_eq!(iter.next(), model.next().copied()),
-            Op::NextBack => assert_eq!(iter.next_back(), model.next_back().copied()),
-            Op::Nth(n) => assert_eq!(iter.nth(n), model.nth(n).copied()),
-            Op::NthBack(n) => assert_eq!(iter.nth_back(n), model.nth_back(n).copied()),
-            Op::SplitKeep { at, front } => {
-                let (got, expected) = (left.split_at(at), slice.split_at_checked(at as usize));
-                assert_eq!(got.is_ok(), expected.is_some(), "split at {at} of {}", slice.len());
-                if let (Ok((a, b)), Some((c, d))) = (got, expected) {
-                    (iter, model) = if front { (a.iter(), c.iter()) } else { (b.iter(), d.iter()) };
-                }
-            }
-            Op::Fill(size) => {
-                let mut buffer = vec![M::Point::default(); size];
-                let filled = left.fill(&mut buffer);
-                assert_eq!(filled, size.min(slice.len()));
-                assert_eq!(buffer[..filled], slice[..filled]);
-                assert!(buffer[filled..].iter().all(|point| *point == M::Point::default()));
-            }
-            Op::Get(index) => {
-                let expected = slice.get(index as usize).copied();
-                assert_eq!(left.get(index), expected);
-                assert_eq!(left.coordinates(index).map(|uv| left.map().sample(uv)), expected);
-            }
-            Op::Shard { shard, of } => match left.shard(shard, of) {
-                Ok(part) => {
-                    let before = (0..shard).map(|k| left.shard(k, of).unwrap().len()).sum::<u32>();
-                    let expected = &slice[before as usize..][..part.len() as usize];
-                    assert!(part.iter().eq(expected.iter().copied()));
-                    let (low, even) = (left.len() / of, left.len() % of == 0);
-                    assert!(part.len() == low || !even && part.len() == low + 1);
-                }
-                Err(error) => assert_eq!((error, shard < of), (Error::Shard { shard, of }, false)),
-            },
-            Op::Range { start, count } => match left.range(start, count) {
-                Ok(part) => {
-                    let expected = &slice[start as usize..][..count as usize];
-                    assert!(part.into_iter().eq(expected.iter().copied()));
-                }
-                Err(_) => assert!((start + count) as usize > slice.len()),
-            },
-        }
-        assert_eq!(iter.size_hint(), model.size_hint());
-        assert_eq!((iter.len(), iter.as_points().is_empty()), (model.len(), model.len() == 0));
-    }
-    assert_eq!(iter.clone().count(), model.len());
-    assert_eq!(iter.clone().last(), model.as_slice().last().copied());
-    assert!(iter.clone().rev().eq(model.as_slice().iter().rev().copied()));
-    let folded = iter.clone().fold(Vec::new(), |mut list, point| {
-        list.push(point);
-        list
-    });
-    assert_eq!(folded, model.as_slice());
-    let mut chunks = iter.as_points().chunks::<5>();
-    let (exact, rest) = model.as_slice().as_chunks::<5>();
-    assert_eq!((chunks.len(), chunks.clone().count()), (exact.len(), exact.len()));
-    assert_eq!(chunks.clone().last(), exact.last().copied());
-    for skip in [0, 1, 7, exact.len(), exact.len() + 1] {
-        let mut from = chunks.clone();
-        assert_eq!(from.nth(skip), exact.get(skip).copied());
-        assert!(from.eq(exact.iter().skip(skip + 1).copied()));
-    }
-    assert!(chunks.by_ref().eq(exact.iter().copied()));
-    assert!(chunks.remainder().iter().eq(rest.iter().copied()));
-    // Fused at both ends.
-    iter.nth(model.len());
-    assert_eq!((iter.next(), iter.next_back(), iter.len()), (None, None, 0));
-}
-
-/// The points of a sequence, from random access alone.
-fn slice<S: Sequence, M: Map>(sequence: S, map: M, start: u32, count: u32) -> Vec<M::Point> {
-    (0..count).map(|i| map.sample(sequence.point(start.wrapping_add(i)))).collect()
-}
-
-fn check_range<S: Sequence, M: Map<Point: PartialEq + Debug>>(
-    sequence: S,
-    map: M,
-    start: u32,
-    ops: &[Op],
-) {
-    let count = 500.min(sequence.size().map_or(u32::MAX - start, |size| size - start));
-    let points = Points::of_range(sequence, map, start, count).unwrap();
-    check(points, &slice(sequence, map, start, count), ops);
 }
 
 proptest! {

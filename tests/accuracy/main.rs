@@ -7,3 +7,4 @@ mod arithmetics;
 mod contracts;
 mod errors;
 mod hard_cases;
+mod reference;

@@ -1,0 +1,3 @@
+#![no_main]
+
+hemidisc_fuzz::target!(points);

@@ -1,0 +1,19 @@
+//! The checks of `tests/checks`, as fuzz targets.
+
+#[path = "../../tests/checks/mod.rs"]
+pub mod checks;
+
+pub use libfuzzer_sys;
+
+/// A target that runs the check of a name; bytes that do not make an input stay out of the corpus.
+#[macro_export]
+macro_rules! target {
+    ($name:ident) => {
+        $crate::libfuzzer_sys::fuzz_target!(|data: &[u8]| -> $crate::libfuzzer_sys::Corpus {
+            match $crate::checks::$name::check(data) {
+                Ok(()) => $crate::libfuzzer_sys::Corpus::Keep,
+                Err(_) => $crate::libfuzzer_sys::Corpus::Reject,
+            }
+        });
+    };
+}
