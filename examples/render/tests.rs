@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod command;
+mod domains;
 mod noise;
 mod pictures;
 mod subsets;
