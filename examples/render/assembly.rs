@@ -4,7 +4,7 @@
 
 use crate::description::{self as scene, Aperture, Scene};
 use crate::effects::{Effect, Effects};
-use crate::frame::{self, Row, Settings};
+use crate::frame::{self, Region, Row, Settings};
 use crate::objects::{named, planes, real, spheres, vector};
 use crate::tracer::{
     Ambient, Camera, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer, Sky,
@@ -14,13 +14,12 @@ use crate::values::Exponent;
 #[cfg(feature = "micromath")]
 use hemidisc::MicromathF32;
 use hemidisc::arithmetic::{Arithmetic, Root};
-
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
 use hemidisc::{Concentric, FastF32, Frame, LibmF32, LibmF64, Map};
 
-/// Renders a scene with some of its effects, a step after each pass; or says which field is wrong.
+/// Renders a region of a scene with some of its effects, a step after each pass; or says which field is wrong.
 pub(crate) type Render =
-    fn(&Scene, Effects, &Settings, &mut dyn FnMut()) -> Result<frame::Frame, String>;
+    fn(&Scene, Effects, &Settings, &Region, &mut dyn FnMut()) -> Result<frame::Frame, String>;
 
 /// The arithmetics that have a square root, by name.
 pub(crate) const ARITHMETICS: &[(&str, Render)] = &[
@@ -41,10 +40,11 @@ fn render<A: Root>(
     scene: &Scene,
     effects: Effects,
     settings: &Settings,
+    region: &Region,
     step: &mut dyn FnMut(),
 ) -> Result<frame::Frame, String> {
     let mut frame = Err("not rendered".to_owned());
-    let run = &mut |row: &Row<'_, A::Real>| frame = Ok(frame::render(row, settings, step));
+    let run = &mut |row: &Row<'_, A::Real>| frame = Ok(frame::render(row, settings, region, step));
     with_rows::<A>(scene, effects, settings, run)?;
     frame
 }

@@ -3,7 +3,7 @@
 use super::{SMALL, rendered, scene};
 use crate::arguments::{Arguments, one_line};
 use crate::effects::Effects;
-use crate::{Failure, called_for, file, report};
+use crate::{Failure, file, report};
 use clap::Parser;
 
 /// The one line that arguments are refused with.
@@ -13,8 +13,9 @@ fn refusal(line: &str) -> String {
         Err(error) => return one_line(&error),
         Ok(arguments) => arguments,
     };
-    let known = file::scene(&arguments.scene);
-    match known.and_then(|(_, scene)| called_for(&arguments, scene.effects())) {
+    let request = &arguments.request;
+    let known = file::scene(&request.scene);
+    match known.and_then(|(_, scene)| request.called_for(scene.effects())) {
         Err(Failure::Usage(message)) => message,
         _ => panic!("{line} is accepted"),
     }
