@@ -7,15 +7,17 @@ use crate::effects::{Effect, Effects};
 use crate::frame::{self, Region, Row, Settings};
 use crate::objects::{named, planes, real, spheres, vector};
 use crate::tracer::{
-    Ambient, Camera, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer, Sky,
-    Unoccluded,
+    Ambient, Camera, Counts, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer,
+    Sample, Sky, Unoccluded,
 };
 use crate::values::Exponent;
 #[cfg(feature = "micromath")]
 use hemidisc::MicromathF32;
 use hemidisc::arithmetic::{Arithmetic, Root};
-use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
-use hemidisc::{Concentric, FastF32, Frame, LibmF32, LibmF64, Map};
+use hemidisc::effect::{
+    AmbientOcclusion, BelowHorizon, DiscLight, Glossy, LensRay, Polygon, ThinLens,
+};
+use hemidisc::{Concentric, FastF32, Frame, LibmF32, LibmF64};
 
 /// Renders a region of a scene with some of its effects, a step after each pass; or says which field is wrong.
 pub(crate) type Render =
@@ -59,11 +61,36 @@ pub(crate) fn with_rows<A: Root>(
     let assembly = Assembly::<A> { scene, effects, settings, run };
     match scene.lens.as_ref().filter(|_| effects.has(Effect::Lens)) {
         None => assembly.with_lens(Pinhole),
-        Some(lens) => match lens.aperture {
-            Aperture::Round => assembly.with_aperture(lens, Concentric::<A>::new()),
+        Some(lens) => assembly.with_lens(AnyLens::<A>::of(lens)?),
+    }
+}
+
+/// A lens of either aperture: one type, as to look which it is costs nothing beside the rays.
+enum AnyLens<A: Root> {
+    Round(ThinLens<Concentric<A>, A::Real>),
+    Hexagon(ThinLens<Polygon<A, 6>, A::Real>),
+}
+
+impl<A: Root> AnyLens<A> {
+    fn of(lens: &scene::Lens) -> Result<Self, String> {
+        let [radius, focus] = [lens.radius.0, lens.focus.0].map(real::<A>);
+        let made = match lens.aperture {
+            Aperture::Round => ThinLens::new(Concentric::new(), radius, focus).map(Self::Round),
             // With a corner up.
-            Aperture::Hexagon => assembly.with_aperture(lens, Polygon::<A, 6>::new(1 << 30)),
-        },
+            Aperture::Hexagon => {
+                ThinLens::new(Polygon::new(1 << 30), radius, focus).map(Self::Hexagon)
+            }
+        };
+        made.map_err(|error| named::<A>("lens", error))
+    }
+}
+
+impl<A: Root> Lens<A> for AnyLens<A> {
+    fn ray(&self, centre: [A::Real; 2], of: Sample, counts: &mut Counts) -> LensRay<A::Real> {
+        match self {
+            Self::Round(lens) => Lens::<A>::ray(lens, centre, of, counts),
+            Self::Hexagon(lens) => Lens::<A>::ray(lens, centre, of, counts),
+        }
     }
 }
 
@@ -75,15 +102,6 @@ struct Assembly<'a, A: Root> {
 }
 
 impl<A: Root> Assembly<'_, A> {
-    fn with_aperture<M>(self, lens: &scene::Lens, aperture: M) -> Result<(), String>
-    where
-        M: Map<Arithmetic = A, Point = [A::Real; 2]> + Sync,
-    {
-        let [radius, focus] = [lens.radius.0, lens.focus.0].map(real::<A>);
-        let lens = ThinLens::new(aperture, radius, focus);
-        self.with_lens(lens.map_err(|error| named::<A>("lens", error))?)
-    }
-
     fn with_lens<L: Lens<A> + Sync>(self, lens: L) -> Result<(), String> {
         let scene::Light { position, toward, two_sided, radius, .. } = &self.scene.light;
         let position = vector::<A>(position.0);
