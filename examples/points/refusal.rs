@@ -46,6 +46,15 @@ pub(crate) fn one_line(
             let known: Vec<_> = known.map(|long| format!("--{long}")).collect();
             format!("{argument:?}: unknown argument; accepted: {}", known.join(", "))
         }
+        ErrorKind::InvalidSubcommand
+        | ErrorKind::MissingSubcommand
+        | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            let given = context(error, ContextKind::InvalidSubcommand);
+            let wrong = given.first().map(|given| format!("{given:?} is not known"));
+            let wrong = wrong.unwrap_or_else(|| "missing".to_owned());
+            let known: Vec<_> = command.get_subcommands().map(clap::Command::get_name).collect();
+            format!("command: {wrong}; accepted: {}", known.join(", "))
+        }
         _ => error.to_string().lines().next().unwrap_or_default().to_owned(),
     }
 }

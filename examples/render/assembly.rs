@@ -167,7 +167,8 @@ impl<A: Root> Assembly<'_, A> {
         G: Reflection<A> + Sync,
     {
         let Scene { camera, light: lamp, ambient, sky, .. } = self.scene;
-        let slope = real::<A>((camera.field_of_view.0.to_radians() / 2.0).tan());
+        // Not the system's tangent: the picture is the same on every machine.
+        let slope = real::<A>(libm::tan(camera.field_of_view.0.to_radians() / 2.0));
         let [position, ahead] = [camera.position.0, camera.ahead.0].map(vector::<A>);
         let renderer = Renderer {
             camera: Camera::new(position, ahead, slope, self.settings.size)

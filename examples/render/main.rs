@@ -18,6 +18,7 @@ mod effects;
 mod file;
 mod frame;
 mod objects;
+#[expect(dead_code, reason = "shards have their parts beside it")]
 mod output;
 mod picture;
 #[path = "../gallery/progress.rs"]
@@ -66,7 +67,8 @@ fn main() -> ExitCode {
 
 fn run(arguments: &Arguments) -> Result<(), Failure> {
     let request = &arguments.request;
-    let (path, scene) = file::scene(&request.scene)?;
+    let (path, text) = file::text(&request.scene)?;
+    let scene = file::scene(&path, &text)?;
     let effects = request.called_for(scene.effects())?;
     let settings = request.settings();
     let render = request.renderer()?;

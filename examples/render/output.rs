@@ -32,6 +32,14 @@ impl Output {
         }
     }
 
+    /// A folder with as much room as there is for the file.
+    pub(crate) fn folder(&self) -> PathBuf {
+        match self.file.get_ref() {
+            Target::Renamed(file) => file.path().parent().map(Path::to_owned).unwrap_or_default(),
+            Target::Direct(_) => std::env::temp_dir(),
+        }
+    }
+
     /// Fills the file by a function, gives it its name and returns that.
     pub(crate) fn write(
         mut self,
@@ -52,7 +60,8 @@ impl Target {
         if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
             return Ok(Self::Direct(File::create(path)?));
         }
-        let folder = folder(path);
+        let named = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        let folder = named.unwrap_or(Path::new("."));
         fs::create_dir_all(folder)?;
         let mut builder = tempfile::Builder::new();
         // As for any new file, less the process's mask; not for the owner alone.
@@ -67,12 +76,6 @@ impl Target {
             Self::Direct(_) => Ok(()),
         }
     }
-}
-
-/// The folder that a file is in.
-pub(crate) fn folder(path: &Path) -> &Path {
-    let named = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    named.unwrap_or(Path::new("."))
 }
 
 impl Write for Target {

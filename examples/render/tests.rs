@@ -19,8 +19,8 @@ use hemidisc::{FastF32, LibmF32, LibmF64};
 const SMALL: Settings = Settings { size: [24, 16], samples: 4, seed: 5 };
 
 fn scene(name: &str) -> Scene {
-    let found = file::scene(name);
-    found.unwrap_or_else(|_| panic!("no scene {name}")).1
+    let found = file::text(name).and_then(|(path, text)| file::scene(&path, &text));
+    found.unwrap_or_else(|_| panic!("no scene {name}"))
 }
 
 fn subsets() -> impl Iterator<Item = Effects> {

@@ -14,8 +14,8 @@ fn refusal(line: &str) -> String {
         Ok(arguments) => arguments,
     };
     let request = &arguments.request;
-    let known = file::scene(&request.scene);
-    match known.and_then(|(_, scene)| request.called_for(scene.effects())) {
+    let known = file::text(&request.scene).and_then(|(path, text)| file::scene(&path, &text));
+    match known.and_then(|scene| request.called_for(scene.effects())) {
         Err(Failure::Usage(message)) => message,
         _ => panic!("{line} is accepted"),
     }
