@@ -124,7 +124,7 @@ fn accepted(long: &str) -> String {
         "out" => "the path of a file",
         _ => "paths of parts",
     };
-    // Of an arithmetic it has to be known for what; clap has no more to say about a text.
+    // The parser looks at the arithmetic of points alone: that of a frame is any text to it.
     let known = request::accepted(long).filter(|_| long != "arithmetic");
     known.or_else(|| set::accepted(long)).unwrap_or_else(|| own().to_owned())
 }

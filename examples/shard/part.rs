@@ -10,7 +10,7 @@ use crate::output::Output;
 use ron::ser::PrettyConfig;
 use serde::{Deserialize, Serialize};
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -127,8 +127,8 @@ impl Part {
 
     /// The bytes of the shard.
     pub(crate) fn data(&self) -> io::Result<impl Read> {
-        let mut file = BufReader::new(File::open(&self.path)?);
-        io::copy(&mut file.by_ref().take(self.ahead), &mut io::sink())?;
-        Ok(file.take(self.header.bytes))
+        let mut file = File::open(&self.path)?;
+        file.seek(SeekFrom::Start(self.ahead))?;
+        Ok(BufReader::new(file).take(self.header.bytes))
     }
 }

@@ -62,6 +62,42 @@ fn parts_in_any_order_make_the_picture() {
     }
 }
 
+/// The sums in a part, which are finer than the bytes of a picture.
+fn sums(folder: &Path, shard: u16, of: u16) -> Vec<i64> {
+    let part = std::fs::read(folder.join(format!("{shard}-of-{of}.part"))).unwrap();
+    let end = part.iter().position(|byte| *byte == b'\n').unwrap();
+    let (numbers, rest) = part[end + 1..].as_chunks();
+    assert_eq!(rest, []);
+    numbers.iter().map(|bytes| i64::from_le_bytes(*bytes)).collect()
+}
+
+#[test]
+fn sums_of_parts_are_those_of_one_shard() {
+    for arithmetic in ["libm-f64", "libm-f32"] {
+        for split in ["rows", "samples"] {
+            let folder = folder();
+            let folder = folder.path();
+            let arguments = format!("frame {SMALL} --split {split} --arithmetic {arithmetic}");
+            parts(folder, &arguments, [0], 1);
+            let whole = sums(folder, 0, 1);
+            assert_eq!(whole.len(), 3 * 24 * 16);
+            for of in [2, 3, 7] {
+                parts(folder, &arguments, 0..of, of);
+                let all = (0..of).map(|shard| sums(folder, shard, of));
+                let together = if split == "rows" {
+                    all.flatten().collect()
+                } else {
+                    all.fold(vec![0; whole.len()], |mut sums, part| {
+                        sums.iter_mut().zip(part).for_each(|(sum, more)| *sum += more);
+                        sums
+                    })
+                };
+                assert!(together == whole, "{arguments} in {of} shards");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_shard_computed_again_is_the_same_file() {
     let folder = folder();

@@ -8,6 +8,7 @@ mod arithmetics;
 mod cover;
 mod dying;
 mod frames;
+mod page;
 mod parts;
 mod points;
 #[path = "../programs/mod.rs"]

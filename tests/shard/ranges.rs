@@ -35,8 +35,11 @@ fn a_shard_is_two_of_twice_as_many() {
     }
 }
 
+/// Some shards, and of how many.
+type Shards<'a> = &'a [(u16, u16)];
+
 /// Shards of 10 rows.
-fn pieces(shards: &[(u16, u16)]) -> Vec<Piece> {
+fn pieces(shards: Shards<'_>) -> Vec<Piece> {
     let piece = |(shard, shards): &(u16, u16)| Piece {
         name: format!("{shard}/{shards}"),
         shard: *shard,
@@ -48,11 +51,11 @@ fn pieces(shards: &[(u16, u16)]) -> Vec<Piece> {
 
 #[test]
 fn what_makes_up_the_whole_is_put_in_order() {
-    let orders: [(&[(u16, u16)], &[usize]); 5] = [
+    let orders: [(Shards<'_>, &[usize]); 5] = [
         (&[(0, 1)], &[0]),
         (&[(2, 3), (0, 3), (1, 3)], &[1, 2, 0]),
         (&[(1, 2), (1, 4), (0, 4)], &[2, 1, 0]),
-        // 5 has the range 0..2 of 10 rows; of 20 each other shard is empty.
+        // Of 20 each other shard is empty.
         (
             &[(1, 20), (4, 5), (1, 5), (3, 5), (2, 5), (0, 20), (2, 20), (3, 20)],
             &[5, 0, 6, 7, 2, 4, 3, 1],
@@ -66,11 +69,11 @@ fn what_makes_up_the_whole_is_put_in_order() {
 
 #[test]
 fn what_does_not_is_refused() {
-    let cases: [(&[(u16, u16)], &str); 10] = [
+    let cases: [(Shards<'_>, &str); 10] = [
         (&[(0, 3), (2, 3)], "missing: shard 1 of 3 (rows 3..6)"),
         (&[(1, 3)], "missing: shard 0 of 3 (rows 0..3), shard 2 of 3 (rows 6..10)"),
-        // An empty shard, too.
         (&[(1, 2), (0, 2), (1, 2)], "duplicate: 1/2 and 1/2 are both shard 1 of 2"),
+        // Though it is empty.
         (&[(0, 11), (0, 11)], "duplicate: 0/11 and 0/11 are both shard 0 of 11"),
         (&[(0, 2), (1, 2), (0, 4)], "overlap: 0/4 and 0/2 both have rows 0..2"),
         (&[(0, 2), (1, 2), (1, 4)], "overlap: 0/2 and 1/4 both have rows 2..5"),
