@@ -2,13 +2,11 @@
 //!
 //! An error names the argument, what was wrong and what is accepted.
 
-use crate::Failure;
+use crate::{Failure, refusal};
 use clap::builder::PossibleValuesParser;
-use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, ValueEnum};
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{ARITHMETICS, AVAILABLE_ARITHMETICS, SEQUENCES};
-use std::error::Error;
 use std::num::NonZeroU32;
 use std::str::FromStr;
 
@@ -192,67 +190,14 @@ fn accepted_exponent<A: Arithmetic>() -> String {
     if negative { format!("accepted: {EXPONENT}") } else { fixed() }
 }
 
-/// An error of the parser, which would take several lines, on one.
+/// An error of the parser on one line.
 pub(crate) fn one_line(error: &clap::Error) -> String {
-    let arguments = context(error, ContextKind::InvalidArg);
-    let argument = arguments.first().map_or("", String::as_str);
-    let value = context(error, ContextKind::InvalidValue).concat();
-    match error.kind() {
-        ErrorKind::MissingRequiredArgument => {
-            let missing = arguments.iter();
-            let missing =
-                missing.map(|name| format!("{name}: missing; accepted: {}", accepted(name)));
-            missing.collect::<Vec<_>>().join("; ")
-        }
-        ErrorKind::InvalidValue if value.is_empty() => {
-            format!("{argument}: no value; accepted: {}", accepted(argument))
-        }
-        ErrorKind::InvalidValue => {
-            format!("{argument}: {value:?} is not known; accepted: {}", accepted(argument))
-        }
-        ErrorKind::ValueValidation => {
-            let wrong = error.source().map(ToString::to_string).unwrap_or_default();
-            format!("{argument}: {value:?}: {wrong}; accepted: {}", accepted(argument))
-        }
-        ErrorKind::TooManyValues => {
-            format!("{argument}: {value:?} given; accepted: {argument} without a value")
-        }
-        ErrorKind::ArgumentConflict => {
-            match context(error, ContextKind::PriorArg).first().map(String::as_str) {
-                Some(prior) if prior != argument => {
-                    format!("{argument}: given with {prior}; accepted: one of the two")
-                }
-                _ => format!("{argument}: given more than once; accepted: once"),
-            }
-        }
-        ErrorKind::UnknownArgument => {
-            let command = Arguments::command();
-            let known = command.get_arguments().filter_map(|known| known.get_long());
-            let known: Vec<_> = known.map(|long| format!("--{long}")).collect();
-            format!("{argument:?}: unknown argument; accepted: {}", known.join(", "))
-        }
-        _ => error.to_string().lines().next().unwrap_or_default().to_owned(),
-    }
-}
-
-/// What the parser says about an error: names of arguments without their placeholders, or values.
-fn context(error: &clap::Error, kind: ContextKind) -> Vec<String> {
-    let texts = match error.get(kind) {
-        Some(ContextValue::String(text)) => vec![text.clone()],
-        Some(ContextValue::Strings(texts)) => texts.clone(),
-        _ => Vec::new(),
-    };
-    let name = |text: String| text.split(" <").next().unwrap_or_default().to_owned();
-    match kind {
-        ContextKind::InvalidValue => texts,
-        _ => texts.into_iter().map(name).collect(),
-    }
+    refusal::one_line(error, &Arguments::command(), &accepted)
 }
 
 /// What an argument accepts.
-fn accepted(argument: &str) -> String {
+fn accepted(long: &str) -> String {
     let command = Arguments::command();
-    let long = argument.trim_start_matches('-');
     let known = command.get_arguments().find(|known| known.get_long() == Some(long));
     let values = known.map(|known| known.get_possible_values()).unwrap_or_default();
     let values: Vec<_> = values.iter().map(|value| value.get_name()).collect();

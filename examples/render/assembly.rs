@@ -4,23 +4,24 @@
 
 use crate::description::{self as scene, Aperture, Scene};
 use crate::effects::{Effect, Effects};
-use crate::frame::{self, Row, Settings};
+use crate::frame::{self, Region, Row, Settings};
 use crate::objects::{named, planes, real, spheres, vector};
 use crate::tracer::{
-    Ambient, Camera, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer, Sky,
-    Unoccluded,
+    Ambient, Camera, Counts, Draw, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer,
+    Sky, Unoccluded,
 };
 use crate::values::Exponent;
 #[cfg(feature = "micromath")]
 use hemidisc::MicromathF32;
 use hemidisc::arithmetic::{Arithmetic, Root};
+use hemidisc::effect::{
+    AmbientOcclusion, BelowHorizon, DiscLight, Glossy, LensRay, Polygon, ThinLens,
+};
+use hemidisc::{Concentric, FastF32, Frame, LibmF32, LibmF64};
 
-use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
-use hemidisc::{Concentric, FastF32, Frame, LibmF32, LibmF64, Map};
-
-/// Renders a scene with some of its effects, a step after each pass; or says which field is wrong.
+/// Renders a region of a scene with some of its effects, a step after each pass; or says which field is wrong.
 pub(crate) type Render =
-    fn(&Scene, Effects, &Settings, &mut dyn FnMut()) -> Result<frame::Frame, String>;
+    fn(&Scene, Effects, &Settings, &Region, &mut dyn FnMut()) -> Result<frame::Frame, String>;
 
 /// The arithmetics that have a square root, by name.
 pub(crate) const ARITHMETICS: &[(&str, Render)] = &[
@@ -41,10 +42,11 @@ fn render<A: Root>(
     scene: &Scene,
     effects: Effects,
     settings: &Settings,
+    region: &Region,
     step: &mut dyn FnMut(),
 ) -> Result<frame::Frame, String> {
     let mut frame = Err("not rendered".to_owned());
-    let run = &mut |row: &Row<'_, A::Real>| frame = Ok(frame::render(row, settings, step));
+    let run = &mut |row: &Row<'_, A::Real>| frame = Ok(frame::render(row, settings, region, step));
     with_rows::<A>(scene, effects, settings, run)?;
     frame
 }
@@ -59,11 +61,36 @@ pub(crate) fn with_rows<A: Root>(
     let assembly = Assembly::<A> { scene, effects, settings, run };
     match scene.lens.as_ref().filter(|_| effects.has(Effect::Lens)) {
         None => assembly.with_lens(Pinhole),
-        Some(lens) => match lens.aperture {
-            Aperture::Round => assembly.with_aperture(lens, Concentric::<A>::new()),
+        Some(lens) => assembly.with_lens(AnyLens::<A>::of(lens)?),
+    }
+}
+
+/// A lens of either aperture: one type, as to look which it is costs nothing beside the rays.
+enum AnyLens<A: Root> {
+    Round(ThinLens<Concentric<A>, A::Real>),
+    Hexagon(ThinLens<Polygon<A, 6>, A::Real>),
+}
+
+impl<A: Root> AnyLens<A> {
+    fn of(lens: &scene::Lens) -> Result<Self, String> {
+        let [radius, focus] = [lens.radius.0, lens.focus.0].map(real::<A>);
+        let made = match lens.aperture {
+            Aperture::Round => ThinLens::new(Concentric::new(), radius, focus).map(Self::Round),
             // With a corner up.
-            Aperture::Hexagon => assembly.with_aperture(lens, Polygon::<A, 6>::new(1 << 30)),
-        },
+            Aperture::Hexagon => {
+                ThinLens::new(Polygon::new(1 << 30), radius, focus).map(Self::Hexagon)
+            }
+        };
+        made.map_err(|error| named::<A>("lens", error))
+    }
+}
+
+impl<A: Root> Lens<A> for AnyLens<A> {
+    fn ray(&self, centre: [A::Real; 2], draw: impl Draw, counts: &mut Counts) -> LensRay<A::Real> {
+        match self {
+            Self::Round(lens) => Lens::<A>::ray(lens, centre, draw, counts),
+            Self::Hexagon(lens) => Lens::<A>::ray(lens, centre, draw, counts),
+        }
     }
 }
 
@@ -75,15 +102,6 @@ struct Assembly<'a, A: Root> {
 }
 
 impl<A: Root> Assembly<'_, A> {
-    fn with_aperture<M>(self, lens: &scene::Lens, aperture: M) -> Result<(), String>
-    where
-        M: Map<Arithmetic = A, Point = [A::Real; 2]> + Sync,
-    {
-        let [radius, focus] = [lens.radius.0, lens.focus.0].map(real::<A>);
-        let lens = ThinLens::new(aperture, radius, focus);
-        self.with_lens(lens.map_err(|error| named::<A>("lens", error))?)
-    }
-
     fn with_lens<L: Lens<A> + Sync>(self, lens: L) -> Result<(), String> {
         let scene::Light { position, toward, two_sided, radius, .. } = &self.scene.light;
         let position = vector::<A>(position.0);
@@ -149,7 +167,8 @@ impl<A: Root> Assembly<'_, A> {
         G: Reflection<A> + Sync,
     {
         let Scene { camera, light: lamp, ambient, sky, .. } = self.scene;
-        let slope = real::<A>((camera.field_of_view.0.to_radians() / 2.0).tan());
+        // Not the system's tangent: the picture is the same on every machine.
+        let slope = real::<A>(libm::tan(camera.field_of_view.0.to_radians() / 2.0));
         let [position, ahead] = [camera.position.0, camera.ahead.0].map(vector::<A>);
         let renderer = Renderer {
             camera: Camera::new(position, ahead, slope, self.settings.size)
@@ -162,7 +181,7 @@ impl<A: Root> Assembly<'_, A> {
             sky: Sky { horizon: vector::<A>(sky.horizon.0), zenith: vector::<A>(sky.zenith.0) },
             spheres: &spheres(self.scene, &lobe)?,
             planes: &planes(self.scene, &lobe)?,
-            points: self.settings.sequence.points(self.settings.samples),
+            points: self.settings.sequence.points(self.settings.samples.into()),
             seed: self.settings.seed,
         };
         (self.run)(&|from, samples, pixels| renderer.row(from, samples, pixels));

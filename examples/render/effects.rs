@@ -1,5 +1,6 @@
 //! Which of the four effects a scene has, or a picture is rendered with.
 
+use serde::{Deserialize, Serialize};
 use std::str::FromStr;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,8 +24,9 @@ impl Effect {
     }
 }
 
-/// A set of effects.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A set of effects; its text is that of the command line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
 pub(crate) struct Effects {
     bits: u8,
 }
@@ -62,6 +64,21 @@ impl Effects {
 impl FromIterator<Effect> for Effects {
     fn from_iter<I: IntoIterator<Item = Effect>>(effects: I) -> Self {
         effects.into_iter().fold(Self::NONE, Self::with)
+    }
+}
+
+impl From<Effects> for String {
+    fn from(effects: Effects) -> Self {
+        let names: Vec<_> = effects.each().map(Effect::name).collect();
+        if names.is_empty() { "none".to_owned() } else { names.join(",") }
+    }
+}
+
+impl TryFrom<String> for Effects {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        text.parse()
     }
 }
 

@@ -22,8 +22,8 @@ pub(crate) fn names() -> Vec<String> {
     names
 }
 
-/// The scene of a name, or of a path that ends in `.ron`; and the path.
-pub(crate) fn scene(name: &str) -> Result<(PathBuf, Scene), Failure> {
+/// The file of a scene's name, or of a path that ends in `.ron`; and its text.
+pub(crate) fn text(name: &str) -> Result<(PathBuf, String), Failure> {
     let own = names().iter().any(|known| known == name);
     let path = if own { folder().join(name).with_extension("ron") } else { PathBuf::from(name) };
     let refused = |wrong: &str| {
@@ -35,11 +35,15 @@ pub(crate) fn scene(name: &str) -> Result<(PathBuf, Scene), Failure> {
     if path.extension().is_none_or(|end| end != "ron") {
         return Err(refused(&format!("{name:?} is not a scene")));
     }
-    let text = fs::read_to_string(&path)
-        .map_err(|error| refused(&format!("cannot read {}: {error}", path.display())))?;
-    let scene = parsed(&text)
-        .map_err(|wrong| Failure::Usage(format!("--scene: {}:{wrong}", path.display())))?;
-    Ok((path, scene))
+    match fs::read_to_string(&path) {
+        Ok(text) => Ok((path, text)),
+        Err(error) => Err(refused(&format!("cannot read {}: {error}", path.display()))),
+    }
+}
+
+/// The scene of a file's text.
+pub(crate) fn scene(path: &Path, text: &str) -> Result<Scene, Failure> {
+    parsed(text).map_err(|wrong| Failure::Usage(format!("--scene: {}:{wrong}", path.display())))
 }
 
 /// The scene of a text, or the line and column, field and what is wrong.

@@ -1,40 +1,55 @@
-//! Renders a frame, a row at a time on all cores.
+//! Renders a frame or a region of it, a row at a time on all cores.
 //!
-//! A row's pixels are its alone and take their samples in order, so that the picture is the same for any number
-//! of threads and any ranges of samples.
+//! A pass is a few samples of a pixel, taken in order; passes add up to the same bits in any order (`sums`). So the
+//! picture is the same for any number of threads, and for any regions that make up the frame.
 
 use crate::sequence::Sequence;
+use crate::sums::{MOST_PASSES, Sum};
 use crate::tracer::Counts;
 use hemidisc::arithmetic::Real;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::time::Instant;
 
-/// Samples of all pixels between two steps of the progress bar.
-const PASS: u32 = 8;
+/// Samples of a pixel that are summed as floats, and then rounded; the last pass of a frame may have fewer.
+pub(crate) const PASS: u32 = 8;
+
+const _: () = assert!((u16::MAX as u32).div_ceil(PASS) <= MOST_PASSES);
 
 /// What is to be rendered of a scene.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Settings {
     pub(crate) size: [u32; 2],
     /// For each pixel.
-    pub(crate) samples: u32,
+    pub(crate) samples: u16,
     pub(crate) sequence: Sequence,
     pub(crate) seed: u32,
 }
 
+/// Some rows of a frame, and some of the passes over them.
+#[derive(Clone, Debug)]
+pub(crate) struct Region {
+    pub(crate) rows: Range<u32>,
+    pub(crate) passes: Range<u32>,
+}
+
 impl Settings {
-    /// Steps of a progress bar.
-    pub(crate) fn passes(&self) -> usize {
-        self.samples.div_ceil(PASS) as usize
+    /// How often each pixel is visited.
+    pub(crate) fn passes(&self) -> u32 {
+        u32::from(self.samples).div_ceil(PASS)
+    }
+
+    /// All of the frame.
+    pub(crate) fn whole(&self) -> Region {
+        Region { rows: 0..self.size[1], passes: 0..self.passes() }
     }
 }
 
-/// A frame.
+/// A frame, or a region of it.
 #[derive(Debug)]
 pub(crate) struct Frame {
-    /// Mean radiance, by rows from the top.
-    pub(crate) pixels: Vec<[f64; 3]>,
+    /// Of radiance, by rows from the top.
+    pub(crate) sums: Vec<Sum>,
     pub(crate) counts: Counts,
     pub(crate) seconds: f64,
 }
@@ -46,37 +61,34 @@ pub(crate) struct Frame {
 /// [`Renderer::row`]: crate::tracer::Renderer::row
 pub(crate) type Row<'a, R> = dyn Fn([u32; 2], Range<u32>, &mut [[R; 3]]) -> Counts + Sync + 'a;
 
-/// A frame of all samples; `step` is called after each pass.
+/// The sums of a region; `step` is called after each pass.
 pub(crate) fn render<R: Real>(
     row: &Row<'_, R>,
     settings: &Settings,
+    region: &Region,
     step: &mut dyn FnMut(),
 ) -> Frame {
     let start = Instant::now();
-    let [width, height] = settings.size.map(|side| side as usize);
-    let mut sums = vec![[R::ZERO; 3]; width * height];
+    let width = settings.size[0] as usize;
+    let mut sums = vec![Sum::default(); width * region.rows.len()];
     let mut counts = Counts::default();
-    for first in (0..settings.samples).step_by(PASS as usize) {
-        let samples = first..settings.samples.min(first.saturating_add(PASS));
-        counts += pass(row, width, samples, &mut sums);
+    for pass in region.passes.clone() {
+        let end = u32::from(settings.samples).min(PASS * (pass + 1));
+        let rows = sums.par_chunks_mut(width).zip(region.rows.clone());
+        let of_rows = rows.map_init(
+            || vec![[R::ZERO; 3]; width],
+            |floats, (sums, y)| {
+                floats.fill([R::ZERO; 3]);
+                let counts = row([0, y], PASS * pass..end, floats);
+                sums.iter_mut().zip(&*floats).for_each(|(sum, pass)| *sum += Sum::of_pass(*pass));
+                counts
+            },
+        );
+        counts += of_rows.reduce(Counts::default, |mut all, of_row| {
+            all += of_row;
+            all
+        });
         step();
     }
-    let share = 1.0 / f64::from(settings.samples);
-    let pixels = sums.into_iter().map(|sum| sum.map(|sum| share * sum.into())).collect();
-    Frame { pixels, counts, seconds: start.elapsed().as_secs_f64() }
-}
-
-/// Adds a range of samples to the sums of all pixels.
-pub(crate) fn pass<R: Real>(
-    row: &Row<'_, R>,
-    width: usize,
-    samples: Range<u32>,
-    sums: &mut [[R; 3]],
-) -> Counts {
-    let rows = sums.par_chunks_mut(width).enumerate();
-    let counts = rows.map(|(y, pixels)| row([0, y as u32], samples.clone(), pixels));
-    counts.reduce(Counts::default, |mut all, of_row| {
-        all += of_row;
-        all
-    })
+    Frame { sums, counts, seconds: start.elapsed().as_secs_f64() }
 }

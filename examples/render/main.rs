@@ -6,9 +6,10 @@
 //! ```
 //!
 //! `tracer` is the renderer, which the firmware shares; the rest is the host's: `arguments` reads the command
-//! line, `description` is a scene as its file has it, of checked `values`, and `file` reads it. `assembly` makes a
-//! renderer of the scene's `objects` and the effects called for, `frame` renders its rows on all cores, `picture`
-//! writes a PNG and `report` says what each effect took.
+//! line, `request` what settles the picture, `description` is a scene as its file has it, of checked `values`, and
+//! `file` reads it. `assembly` makes a renderer of the scene's `objects` and the effects called for, `frame` renders
+//! its rows on all cores into `sums`, `picture` makes a PNG of them for the `output`, and `report` says what each
+//! effect took. The example `shard` shares all but the report.
 
 mod arguments;
 mod assembly;
@@ -17,12 +18,18 @@ mod effects;
 mod file;
 mod frame;
 mod objects;
+#[expect(dead_code, reason = "shards have their parts beside it")]
+mod output;
 mod picture;
 #[path = "../gallery/progress.rs"]
 mod progress;
+#[path = "../points/refusal.rs"]
+mod refusal;
 mod report;
+mod request;
 mod sequence;
 mod sheet;
+mod sums;
 #[cfg(test)]
 mod tests;
 mod tracer;
@@ -31,8 +38,7 @@ mod values;
 use arguments::Arguments;
 use clap::Parser;
 use effects::Effects;
-use frame::Settings;
-use picture::Output;
+use output::Output;
 use progress::Progress;
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
@@ -46,10 +52,14 @@ enum Failure {
 
 fn main() -> ExitCode {
     let given = std::env::args_os().map(|argument| argument.to_string_lossy().into_owned());
-    let result = match Arguments::try_parse_from(given) {
-        Ok(arguments) => run(&arguments),
-        Err(error) if error.use_stderr() => Err(Failure::Usage(arguments::one_line(&error))),
-        Err(help) => say(&help.to_string()),
+    let given: Vec<_> = given.collect();
+    let result = if sheet::is_asked_for(&given) {
+        parsed(&given, sheet::one_line).and_then(|arguments| {
+            arguments.map_or(Ok(()), |arguments| say(&sheet::write(&arguments)?))
+        })
+    } else {
+        parsed(&given, arguments::one_line)
+            .and_then(|arguments| arguments.map_or(Ok(()), |arguments| run(&arguments)))
     };
     let (status, message) = match result {
         Ok(()) => return ExitCode::SUCCESS,
@@ -61,31 +71,35 @@ fn main() -> ExitCode {
     ExitCode::from(status)
 }
 
-fn run(arguments: &Arguments) -> Result<(), Failure> {
-    if let Some(folder) = &arguments.sheet {
-        return say(&sheet::write(folder)?);
+/// The arguments; none after help was asked for, and printed.
+fn parsed<A: Parser>(
+    given: &[String],
+    one_line: fn(&clap::Error) -> String,
+) -> Result<Option<A>, Failure> {
+    match A::try_parse_from(given) {
+        Ok(arguments) => Ok(Some(arguments)),
+        Err(error) if error.use_stderr() => Err(Failure::Usage(one_line(&error))),
+        Err(help) => say(&help.to_string()).map(|()| None),
     }
-    let name = arguments.scene();
-    let (path, scene) = file::scene(name)?;
-    let effects = called_for(arguments, scene.effects())?;
-    let settings = Settings {
-        size: [arguments.width.into(), arguments.height.into()],
-        samples: arguments.spp.get().into(),
-        sequence: arguments.sequence,
-        seed: arguments.seed,
-    };
-    let render = assembly::renderer_of(&arguments.arithmetic)
-        .ok_or_else(|| Failure::Usage(arguments.unknown_arithmetic()))?;
+}
+
+fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let request = &arguments.request;
+    let (path, text) = file::text(&request.scene)?;
+    let scene = file::scene(&path, &text)?;
+    let effects = request.called_for(scene.effects())?;
+    let settings = request.settings();
+    let render = request.renderer()?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(arguments.threads()).build();
     let pool = pool.map_err(|error| Failure::Usage(format!("--threads: {error}")))?;
     // Before anything that takes time.
     let output = Output::create(&arguments.picture())?;
 
     let others = if arguments.report.is_some() { effects.each().count() } else { 0 };
-    let mut progress = Progress::new(settings.passes() * (1 + others));
+    let mut progress = Progress::new(settings.passes() as usize * (1 + others));
     let mut render = |effects: Effects| {
-        let step = &mut || progress.step(name);
-        pool.install(|| render(&scene, effects, &settings, step))
+        let step = &mut || progress.step(&request.scene);
+        pool.install(|| render(&scene, effects, &settings, &settings.whole(), step))
             .map_err(|wrong| Failure::Usage(format!("{}: {wrong}", path.display())))
     };
     let frame = render(effects)?;
@@ -95,22 +109,9 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     progress.finish();
 
-    let written = output.write(settings.size, &picture::bytes(&frame.pixels))?;
+    let pixels = sums::means(&frame.sums, settings.samples.into());
+    let written = output.write(|out| picture::png(out, settings.size, &pixels))?;
     say(&report.unwrap_or_else(|| format!("{written}\n")))
-}
-
-/// The effects of the arguments, which have to be among those of the scene.
-fn called_for(arguments: &Arguments, of_scene: Effects) -> Result<Effects, Failure> {
-    let effects = arguments.effects.unwrap_or(of_scene);
-    if let Some(missing) = effects.each().find(|effect| !of_scene.has(*effect)) {
-        return Err(Failure::Usage(format!(
-            "--effects: scene {:?} has no {}; accepted: {}",
-            arguments.scene(),
-            missing.name(),
-            of_scene.accepted()
-        )));
-    }
-    Ok(effects)
 }
 
 /// Prints a text; a reader that has seen enough of it (`| head`) is no error.

@@ -3,10 +3,12 @@
 use crate::tracer::{Owen, Points};
 use hemidisc::Domain;
 use hemidisc::sequence::{MultiJittered, Random, Sequence as _, Shuffled};
+use serde::{Deserialize, Serialize};
 use std::str::FromStr;
 
 /// A sequence that has a name.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub(crate) enum Sequence {
     SobolOwen,
     Random,

@@ -4,31 +4,56 @@
 use crate::assembly::renderer_of;
 use crate::effects::{Effect, Effects};
 use crate::frame::{Frame, Settings};
-use crate::picture::{Output, bytes};
+use crate::output::Output;
+use crate::picture::png;
 use crate::report::tally;
 use crate::sequence::Sequence;
-use crate::{Failure, file};
+use crate::{Failure, file, refusal, sums};
+use clap::{CommandFactory, Parser};
 use hemidisc::FastF32;
 use hemidisc::arithmetic::Arithmetic;
-use std::path::Path;
+use std::path::PathBuf;
 
 const SCENES: [&str; 5] = ["lens", "soft-shadow", "occlusion", "glossy", "still-life"];
 const SETTINGS: Settings =
     Settings { size: [300, 200], samples: 64, sequence: Sequence::SobolOwen, seed: 0 };
 
-/// Writes the pictures into a folder, and returns the sheet as Markdown.
-pub(crate) fn write(folder: &Path) -> Result<String, Failure> {
+/// Writes pictures of several scenes without and with effects, and prints what they took
+#[derive(Parser)]
+#[command(name = "render")]
+pub(crate) struct Arguments {
+    /// Where the pictures go
+    #[arg(long, value_name = "DIR")]
+    sheet: PathBuf,
+}
+
+/// Whether the sheet is asked for, and no picture of a scene.
+pub(crate) fn is_asked_for(given: &[String]) -> bool {
+    given.iter().any(|argument| argument.split('=').next() == Some("--sheet"))
+}
+
+/// An error of the parser on one line.
+pub(crate) fn one_line(error: &clap::Error) -> String {
+    let accepted = |_: &str| "the path of a folder".to_owned();
+    refusal::one_line(error, &Arguments::command(), &accepted)
+}
+
+/// Writes the pictures into the folder, and returns the sheet as Markdown.
+pub(crate) fn write(arguments: &Arguments) -> Result<String, Failure> {
     // The same bytes on every machine.
     let render = renderer_of(FastF32::NAME).expect("it renders in every build");
     let mut text = String::from("| scene | without effects | with |\n| --- | --- | --- |\n");
     for name in SCENES {
-        let (_, scene) = file::scene(name)?;
+        let (path, description) = file::text(name)?;
+        let scene = file::scene(&path, &description)?;
         let names: Vec<_> = scene.effects().each().map(Effect::name).collect();
         text += &format!("| {name}: {} |", names.join(", "));
         for (effects, with) in [(Effects::NONE, "without"), (scene.effects(), "with")] {
-            let frame = render(&scene, effects, &SETTINGS, &mut || {}).map_err(Failure::Usage)?;
-            let path = folder.join(format!("{name}-{with}.png"));
-            let path = Output::create(&path)?.write(SETTINGS.size, &bytes(&frame.pixels))?;
+            let frame = render(&scene, effects, &SETTINGS, &SETTINGS.whole(), &mut || {});
+            let frame = frame.map_err(Failure::Usage)?;
+            let pixels = sums::means(&frame.sums, SETTINGS.samples.into());
+            let output = Output::create(&arguments.sheet.join(format!("{name}-{with}.png")))?;
+            let path = output.write(|out| png(out, SETTINGS.size, &pixels))?;
             text += &format!(" ![{name} {with} effects]({path})<br>{} |", caption(&frame));
         }
         text += "\n";

@@ -6,20 +6,26 @@ mod domains;
 mod noise;
 mod pictures;
 mod subsets;
+mod sums;
 
-use crate::assembly::ARITHMETICS;
+use crate::assembly::{ARITHMETICS, with_rows};
 use crate::description::Scene;
 use crate::effects::{Effect, Effects};
 use crate::file;
-use crate::frame::{Frame, Settings};
+use crate::frame::{Frame, Row, Settings};
 use crate::sequence::Sequence;
+use crate::sums::means;
+#[cfg(feature = "micromath")]
+use hemidisc::MicromathF32;
+use hemidisc::arithmetic::{Arithmetic, Real, Root};
+use hemidisc::{FastF32, LibmF32, LibmF64};
 
 const SMALL: Settings =
     Settings { size: [24, 16], samples: 4, sequence: Sequence::SobolOwen, seed: 5 };
 
 fn scene(name: &str) -> Scene {
-    let found = file::scene(name);
-    found.unwrap_or_else(|_| panic!("no scene {name}")).1
+    let found = file::text(name).and_then(|(path, text)| file::scene(&path, &text));
+    found.unwrap_or_else(|_| panic!("no scene {name}"))
 }
 
 fn subsets() -> impl Iterator<Item = Effects> {
@@ -29,14 +35,40 @@ fn subsets() -> impl Iterator<Item = Effects> {
 
 fn rendered(arithmetic: &str, scene: &Scene, effects: Effects, settings: &Settings) -> Frame {
     let render = crate::assembly::renderer_of(arithmetic).unwrap();
-    render(scene, effects, settings, &mut || {}).unwrap()
+    render(scene, effects, settings, &settings.whole(), &mut || {}).unwrap()
+}
+
+/// The bits of the arithmetic's own sums, which are finer than what a frame keeps of them: -0 is not 0.
+fn bits(arithmetic: &str, scene: &Scene, effects: Effects) -> Vec<u64> {
+    match arithmetic {
+        LibmF64::NAME => bits_in::<LibmF64>(scene, effects),
+        LibmF32::NAME => bits_in::<LibmF32>(scene, effects),
+        FastF32::NAME => bits_in::<FastF32>(scene, effects),
+        #[cfg(feature = "micromath")]
+        MicromathF32::NAME => bits_in::<MicromathF32>(scene, effects),
+        _ => panic!("{arithmetic} is not in this list"),
+    }
+}
+
+fn bits_in<A: Root>(scene: &Scene, effects: Effects) -> Vec<u64> {
+    let mut bits = Vec::new();
+    let Settings { size: [width, height], samples, .. } = SMALL;
+    let mut run = |row: &Row<'_, A::Real>| {
+        for y in 0..height {
+            let mut sums = vec![[A::Real::ZERO; 3]; width as usize];
+            row([0, y], 0..samples.into(), &mut sums);
+            bits.extend(sums.into_iter().flatten().map(|sum| Into::<f64>::into(sum).to_bits()));
+        }
+    };
+    with_rows::<A>(scene, effects, &SMALL, &mut run).unwrap();
+    bits
+}
+
+/// Mean radiance.
+fn pixels(frame: &Frame, settings: &Settings) -> Vec<[f64; 3]> {
+    means(&frame.sums, settings.samples.into())
 }
 
 fn each_arithmetic() -> impl Iterator<Item = &'static str> {
     ARITHMETICS.iter().map(|(name, _)| *name)
-}
-
-/// The bits of a picture, where -0 is not 0 and NaN is itself.
-fn bits(frame: &Frame) -> Vec<u64> {
-    frame.pixels.iter().flatten().map(|component| component.to_bits()).collect()
 }

@@ -6,6 +6,9 @@ use hemidisc::effect::{AmbientOcclusion, BelowHorizon, Glossy, ThinLens};
 use hemidisc::{Concentric, Frame, LibmF64};
 use serde::Deserialize;
 
+/// So that squares are numbers in every arithmetic.
+const MOST: f64 = 1e15;
+
 macro_rules! checked {
     ($(#[$doc:meta] $name:ident($of:ty, $text:literal) $check:expr;)*) => {$(
         #[$doc]
@@ -26,12 +29,12 @@ macro_rules! checked {
 
 checked! {
     /// A place.
-    Point([f64; 3], "[f64; 3]") |place| all(place, f64::is_finite, "finite numbers");
+    Point([f64; 3], "[f64; 3]") |place| all(place, |x| x.abs() <= MOST, "numbers from -1e15 to 1e15");
     /// Any length but 0.
     Direction([f64; 3], "[f64; 3]") |direction| said(Frame::normalized::<LibmF64>(direction));
     /// Linear red, green and blue.
     Colour([f64; 3], "[f64; 3]") |colour| {
-        all(colour, |part| part.is_finite() && part >= 0.0, "finite numbers, at least 0")
+        all(colour, |part| (0.0..=MOST).contains(&part), "numbers from 0 to 1e15")
     };
     /// Of a lens or a light: 0 is a point.
     Radius(f64, "f64") |radius| said(ThinLens::new(Concentric::<LibmF64>::new(), radius, 1.0));
@@ -41,7 +44,7 @@ checked! {
     Exponent(f64, "f64") |exponent| said(Glossy::<LibmF64>::new(exponent, BelowHorizon::Flip));
     /// Of a thing.
     Size(f64, "f64") |size| {
-        all([size], |size| size.is_finite() && size > 0.0, "a finite number above 0")
+        all([size], |size| (1.0 / MOST..=MOST).contains(&size), "a number from 1e-15 to 1e15")
     };
     /// In degrees.
     Angle(f64, "f64") |angle| {

@@ -1,7 +1,5 @@
 //! The command line of the example `points`, which other programs rely on: run as they run it.
 //!
-//! `cargo test` builds the examples first; `cargo test --test cli` alone does not, and then a test
-//! says that the program is missing or stale.
 #![cfg(feature = "libm")]
 
 mod arguments;
@@ -10,10 +8,12 @@ mod arguments;
 mod arithmetics;
 mod coordinates;
 mod maps;
+#[path = "../programs/mod.rs"]
+mod programs;
 
 use hemidisc::sequence::{Random, Sequence};
+use programs::program;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 
 /// What a run has left.
@@ -40,24 +40,6 @@ impl Run {
     }
 }
 
-/// The program beside this test's: target/PROFILE/examples/points, this one being in deps.
-fn program() -> PathBuf {
-    let test = std::env::current_exe().expect("the path of this program");
-    let profile = test.parent().and_then(|deps| deps.parent()).expect("target/PROFILE/deps");
-    let name = format!("points{}", std::env::consts::EXE_SUFFIX);
-    let program = profile.join("examples").join(name);
-    let built = program.metadata().and_then(|file| file.modified());
-    let built = built.expect("the program is built: cargo build --example points");
-    // Cargo lists the sources of a program beside it.
-    let sources = std::fs::read_to_string(program.with_extension("d")).unwrap_or_default();
-    for source in sources.split_whitespace() {
-        let edited = std::fs::metadata(source).and_then(|file| file.modified());
-        let fresh = edited.is_ok_and(|edited| edited > built);
-        assert!(!fresh, "the program is older than {source}: cargo build --example points");
-    }
-    program
-}
-
 /// Runs with arguments that hold no spaces.
 fn points(arguments: &str) -> Run {
     run(&arguments.split_whitespace().collect::<Vec<_>>(), b"")
@@ -73,7 +55,7 @@ fn points_of(pairs: &[[u32; 2]], arguments: &str) -> Run {
 fn run(arguments: &[&str], input: &[u8]) -> Run {
     /// Far more than any test asks for, lest a wrong range of 2^32 rows fill the memory.
     const MOST: u64 = 1 << 24;
-    let mut command = Command::new(program());
+    let mut command = Command::new(program("points"));
     command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().expect("the program starts");
     let mut stdin = child.stdin.take().expect("a pipe");
@@ -98,7 +80,7 @@ fn end(child: Child) -> (i32, String) {
 
 /// Reads at most `most` lines and leaves; status, lines and standard error.
 fn leave_after(most: usize, arguments: &str) -> (i32, Vec<String>, String) {
-    let mut command = Command::new(program());
+    let mut command = Command::new(program("points"));
     command.args(arguments.split_whitespace()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().expect("the program starts");
     let stdout = BufReader::new(child.stdout.take().expect("a pipe"));

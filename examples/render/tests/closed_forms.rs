@@ -1,6 +1,6 @@
 //! Pictures whose pixels are known: what is lit, what is hidden, what is reflected and where it is seen.
 
-use super::{SMALL, rendered};
+use super::{SMALL, pixels, rendered};
 use crate::description::Scene;
 use crate::file;
 use crate::frame::Settings;
@@ -27,7 +27,7 @@ const FLOOR: &str = "(point: (0, 0, 0), normal: (0, 1, 0), material: (albedo: (0
 
 fn seen(scene: &Scene, settings: &Settings) -> Vec<f64> {
     let frame = rendered("libm-f64", scene, scene.effects(), settings);
-    frame.pixels.iter().map(|pixel| pixel[0]).collect()
+    pixels(&frame, settings).iter().map(|pixel| pixel[0]).collect()
 }
 
 #[track_caller]

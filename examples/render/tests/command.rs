@@ -3,7 +3,7 @@
 use super::{SMALL, rendered, scene};
 use crate::arguments::{Arguments, one_line};
 use crate::effects::Effects;
-use crate::{Failure, called_for, file, report};
+use crate::{Failure, file, report, sheet};
 use clap::Parser;
 
 /// The one line that arguments are refused with.
@@ -13,8 +13,9 @@ fn refusal(line: &str) -> String {
         Err(error) => return one_line(&error),
         Ok(arguments) => arguments,
     };
-    let known = file::scene(arguments.scene());
-    match known.and_then(|(_, scene)| called_for(&arguments, scene.effects())) {
+    let request = &arguments.request;
+    let known = file::text(&request.scene).and_then(|(path, text)| file::scene(&path, &text));
+    match known.and_then(|scene| request.called_for(scene.effects())) {
         Err(Failure::Usage(message)) => message,
         _ => panic!("{line} is accepted"),
     }
@@ -47,7 +48,6 @@ fn bad_arguments_are_refused_on_one_line() {
         ("--scene lens --seed -1", "--seed: \"-1\"", "accepted: an integer 0..=4294967295"),
         ("--scene lens --report xml", "--report: \"xml\" is not known", "accepted: json"),
         ("--scene lens --sequence sobol", "--sequence: \"sobol\"", "accepted: sobol-owen, random"),
-        ("--sheet x --scene lens", "--sheet: given with others", "accepted: the path of a folder"),
         ("--scene lens --scene lens", "--scene: given more than once", "accepted: once"),
         ("--scene lens --size 4", "\"--size\": unknown argument", "accepted: --scene, --effects"),
     ];
@@ -56,6 +56,25 @@ fn bad_arguments_are_refused_on_one_line() {
         assert!(message.starts_with(wrong), "{line}: {message}");
         assert!(message.contains(accepted), "{line}: {message}");
         assert_eq!(message.lines().count(), 1, "{line}: {message}");
+    }
+}
+
+#[test]
+fn a_sheet_takes_a_folder_alone() {
+    let refused = |line: &str| {
+        let given: Vec<_> = line.split_whitespace().map(str::to_owned).collect();
+        assert!(sheet::is_asked_for(&given), "{line}");
+        let error = sheet::Arguments::try_parse_from(&given).err();
+        error.map(|error| sheet::one_line(&error))
+    };
+    assert_eq!(refused("render --sheet x"), None);
+    assert_eq!(refused("render --sheet=x"), None);
+    for (line, wrong) in [
+        ("render --sheet", "--sheet: no value; accepted: the path of a folder"),
+        ("render --sheet x --spp 3", "\"--spp\": unknown argument; accepted: --sheet"),
+    ] {
+        let message = refused(line).unwrap();
+        assert!(message.starts_with(wrong), "{message}");
     }
 }
 
@@ -82,7 +101,19 @@ albedo: (0, 0, 0), reflection: (reflectance: (1, 1, 1), exponent: 9)))],
         ("radius: 1)", "radius: NaN)", "4:", "light.radius: radius is NaN"),
         ("reach: inf", "reach: -inf", "5:", "ambient.reach: distance is -inf"),
         ("field_of_view: 40", "field_of_view: 180", "2:", "camera.field_of_view: 180; accepted"),
-        ("radius: 1, mat", "radius: 0, mat", "7:", "spheres[0].radius: 0; accepted: a finite"),
+        (
+            "radius: 1, mat",
+            "radius: 0, mat",
+            "7:",
+            "spheres[0].radius: 0; accepted: a number from 1e-15",
+        ),
+        ("radius: 1, mat", "radius: 1e39, mat", "7:", "accepted: a number from 1e-15 to 1e15"),
+        (
+            "(1, 1, 1), radius: 1",
+            "(1, 1, 1e39), radius: 1",
+            "4:",
+            "accepted: numbers from 0 to 1e15",
+        ),
         (
             "exponent: 9",
             "exponent: -1",

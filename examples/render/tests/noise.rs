@@ -13,7 +13,7 @@ const SIZE: [u32; 2] = [480, 320];
 const STEP: usize = 16;
 const SEEDS: u32 = 8;
 /// Squares, so that multi-jittered sets are whole.
-const SAMPLES: [u32; 4] = [4, 16, 64, 256];
+const SAMPLES: [u16; 4] = [4, 16, 64, 256];
 
 /// The mean of each component of the pixels.
 fn means(scene: &Scene, settings: &Settings) -> Vec<f64> {
@@ -23,7 +23,7 @@ fn means(scene: &Scene, settings: &Settings) -> Vec<f64> {
         for y in (0..height).step_by(STEP) {
             for x in (0..width).step_by(STEP) {
                 let mut sum = [[0.0; 3]];
-                row([x, y], 0..settings.samples, &mut sum);
+                row([x, y], 0..settings.samples.into(), &mut sum);
                 means.extend(sum[0].map(|sum| f64::from(sum) / f64::from(settings.samples)));
             }
         }
@@ -33,7 +33,7 @@ fn means(scene: &Scene, settings: &Settings) -> Vec<f64> {
 }
 
 /// The variance of a pixel's component over seeds, in the mean over the picture.
-fn variance(scene: &Scene, sequence: Sequence, samples: u32) -> f64 {
+fn variance(scene: &Scene, sequence: Sequence, samples: u16) -> f64 {
     let pictures: Vec<_> = (0..SEEDS)
         .map(|seed| means(scene, &Settings { size: SIZE, samples, sequence, seed }))
         .collect();

@@ -1,12 +1,13 @@
 //! Pictures: the same for every split, finite for every scene, right where the answer is known.
 
-use super::{SMALL, bits, each_arithmetic, rendered, scene, subsets};
-use crate::assembly::with_rows;
+use super::{SMALL, each_arithmetic, pixels, rendered, scene, subsets};
+use crate::assembly::{renderer_of, with_rows};
 use crate::description::Scene;
 use crate::effects::Effects;
 use crate::file;
-use crate::frame::{Row, Settings, pass};
-use crate::picture::bytes;
+use crate::frame::{Region, Row, Settings};
+use crate::sums::Sum;
+use crate::tracer::Counts;
 use crate::values::{Angle, Point};
 use hemidisc::LibmF32;
 
@@ -23,36 +24,65 @@ fn the_number_of_threads_changes_nothing() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| rendered("libm-f32", &scene, scene.effects(), &SMALL))
     });
-    assert_eq!(bits(&one), bits(&three));
+    assert_eq!(one.sums, three.sums);
     assert_eq!(one.counts, three.counts);
 }
 
 #[test]
 fn ranges_of_samples_add_up() {
-    let [width, height] = SMALL.size.map(|side| side as usize);
-    let black = || vec![[0.0; 3]; width * height];
     with_still_life(|row| {
-        let mut at_once = black();
-        let counts = pass(row, width, 0..4, &mut at_once);
-
-        let mut in_turn = black();
-        let mut of_both = pass(row, width, 0..2, &mut in_turn);
-        of_both += pass(row, width, 2..4, &mut in_turn);
+        let (mut at_once, mut in_turn) = ([[0.0; 3]; 24], [[0.0; 3]; 24]);
+        let counts = row([0, 9], 0..4, &mut at_once);
+        let mut of_both = row([0, 9], 0..2, &mut in_turn);
+        of_both += row([0, 9], 2..4, &mut in_turn);
         assert_eq!(in_turn, at_once);
         assert_eq!(of_both, counts);
-
-        // Sums by others round once more, which no byte of the picture shows.
-        let (mut first, mut second) = (black(), black());
-        pass(row, width, 2..4, &mut second);
-        pass(row, width, 0..2, &mut first);
-        let merged = first.iter().zip(&second).map(|(a, b)| [0, 1, 2].map(|i| a[i] + b[i]));
-        let picture = |sums: Vec<[f32; 3]>| {
-            let means: Vec<_> =
-                sums.iter().map(|sum| sum.map(|sum| f64::from(sum) / 4.0)).collect();
-            bytes(&means)
-        };
-        assert_eq!(picture(merged.collect()), picture(at_once));
     });
+}
+
+#[test]
+fn a_frame_is_the_rounded_passes_of_its_rows() {
+    let settings = Settings { samples: 20, ..SMALL };
+    let scene = scene("still-life");
+    let frame = rendered("libm-f32", &scene, scene.effects(), &settings);
+    let mut expected = Vec::new();
+    with_still_life(|row| {
+        for y in 0..settings.size[1] {
+            let passes = [0..8, 8..16, 16..20].map(|samples| {
+                let mut pass = [[0.0; 3]; 24];
+                row([0, y], samples, &mut pass);
+                pass.map(Sum::of_pass)
+            });
+            expected.extend((0..24).map(|x| {
+                let mut sum = passes[2][x];
+                sum += passes[0][x];
+                sum += passes[1][x];
+                sum
+            }));
+        }
+    });
+    assert_eq!(frame.sums, expected);
+}
+
+#[test]
+fn regions_in_any_order_make_up_the_frame() {
+    let settings = Settings { samples: 20, ..SMALL };
+    let (scene, render) = (scene("still-life"), renderer_of("fast-f32").unwrap());
+    let whole = rendered("fast-f32", &scene, scene.effects(), &settings);
+    let mut sums = vec![Sum::default(); whole.sums.len()];
+    let mut counts = Counts::default();
+    for passes in [1..3, 0..0, 0..1] {
+        for rows in [7..16, 5..7, 7..7, 0..5] {
+            let region = Region { rows, passes: passes.clone() };
+            let part = render(&scene, scene.effects(), &settings, &region, &mut || {}).unwrap();
+            let place = &mut sums[24 * region.rows.start as usize..24 * region.rows.end as usize];
+            assert_eq!(part.sums.len(), place.len());
+            place.iter_mut().zip(part.sums).for_each(|(sum, more)| *sum += more);
+            counts += part.counts;
+        }
+    }
+    assert_eq!(sums, whole.sums);
+    assert_eq!(counts, whole.counts);
 }
 
 #[test]
@@ -75,7 +105,8 @@ fn an_empty_scene_is_all_sky() {
     finite(&empty);
     let frame = rendered("libm-f64", &empty, Effects::NONE, &SMALL);
     assert_eq!(frame.counts.base.rays, 24 * 16 * 4);
-    assert!(frame.pixels.iter().flatten().all(|component| *component > 0.0));
+    let pixels = pixels(&frame, &SMALL);
+    assert!(pixels.iter().flatten().all(|component| *component > 0.0 && component.is_finite()));
 }
 
 #[test]
@@ -127,7 +158,8 @@ fn the_nearest_surface_is_seen_and_the_inside_of_one_around_the_camera() {
     ] {
         for arithmetic in each_arithmetic() {
             let frame = rendered(arithmetic, &shining(&spheres), Effects::NONE, &SMALL);
-            assert!(frame.pixels.iter().all(|pixel| *pixel == [expected, 0.0, 0.0]), "{spheres}");
+            let all = |pixel: &[f64; 3]| *pixel == [expected, 0.0, 0.0];
+            assert!(pixels(&frame, &SMALL).iter().all(all), "{spheres}");
         }
     }
 }
@@ -138,7 +170,7 @@ fn finite(scene: &Scene) {
         for effects in subsets() {
             let frame = rendered(arithmetic, scene, effects, &SMALL);
             let good = |component: &f64| component.is_finite() && *component >= 0.0;
-            assert!(frame.pixels.iter().flatten().all(good), "{arithmetic} {effects:?}");
+            assert!(pixels(&frame, &SMALL).iter().flatten().all(good), "{arithmetic} {effects:?}");
         }
     }
 }
@@ -162,7 +194,7 @@ fn a_floor_under_a_light_is_as_bright_as_it_should_be() {
     let expected = [0.5 * (40.0 * shape + 0.3), 0.5 * (20.0 * shape + 0.2), 10.0 * shape + 0.1];
     for arithmetic in each_arithmetic() {
         let frame = rendered(arithmetic, &scene, Effects::NONE, &settings);
-        for (found, expected) in frame.pixels[0].into_iter().zip(expected) {
+        for (found, expected) in pixels(&frame, &settings)[0].into_iter().zip(expected) {
             assert!(
                 (found / expected - 1.0).abs() < 1e-4,
                 "{arithmetic}: {found} is not {expected}"
@@ -176,9 +208,11 @@ fn arithmetics_agree_on_the_picture() {
     let scene = scene("still-life");
     let settings = Settings { samples: 16, ..SMALL };
     let reference = rendered("libm-f64", &scene, scene.effects(), &settings);
+    let reference = pixels(&reference, &settings);
     for arithmetic in each_arithmetic() {
         let frame = rendered(arithmetic, &scene, scene.effects(), &settings);
-        let pairs = frame.pixels.iter().flatten().zip(reference.pixels.iter().flatten());
+        let pixels = pixels(&frame, &settings);
+        let pairs = pixels.iter().flatten().zip(reference.iter().flatten());
         let distance = pairs.map(|(a, b)| (a - b).abs()).sum::<f64>() / (3.0 * 24.0 * 16.0);
         assert!(distance < 2e-3, "{arithmetic} is off by {distance} in the mean");
     }

@@ -1,6 +1,6 @@
 //! Every subset of the effects, in every arithmetic that renders.
 
-use super::{SMALL, bits, each_arithmetic, rendered, scene, subsets};
+use super::{SMALL, bits, each_arithmetic, pixels, rendered, scene, subsets};
 use crate::description::{Material, Scene};
 use crate::effects::{Effect, Effects};
 use crate::frame::Settings;
@@ -46,10 +46,13 @@ fn an_absent_effect_draws_no_points_and_is_not_seen() {
                 let present = effects.has(effect);
                 assert_eq!((points > 0, rays > 0), (present, present), "{effect:?} of {effects:?}");
             }
-            let never_had_it = rendered(arithmetic, &cut(&whole, effects), effects, &SMALL);
-            assert_eq!(bits(&frame), bits(&never_had_it), "{arithmetic} {effects:?}");
+            let cut = cut(&whole, effects);
+            let bits_of = |scene| bits(arithmetic, scene, effects);
+            assert_eq!(bits_of(&whole), bits_of(&cut), "{arithmetic} {effects:?}");
+            let never_had_it = rendered(arithmetic, &cut, effects, &SMALL);
+            assert_eq!(frame.sums, never_had_it.sums, "{arithmetic} {effects:?}");
             assert_eq!(frame.counts, never_had_it.counts);
-            pictures.push(bits(&frame));
+            pictures.push(bits_of(&whole));
         }
         // Each effect is seen where it is present.
         pictures.sort();
@@ -89,9 +92,9 @@ fn a_lobe_of_1e8_is_a_mirror() {
     let settings = Settings { samples: 64, ..SMALL };
     for arithmetic in each_arithmetic() {
         let [lobe, mirror] = [scene.effects(), scene.effects().without(Effect::Glossy)]
-            .map(|effects| rendered(arithmetic, &scene, effects, &settings));
-        assert_ne!(bits(&lobe), bits(&mirror));
-        for (lobe, mirror) in lobe.pixels.iter().flatten().zip(mirror.pixels.iter().flatten()) {
+            .map(|effects| pixels(&rendered(arithmetic, &scene, effects, &settings), &settings));
+        assert_ne!(lobe, mirror);
+        for (lobe, mirror) in lobe.iter().flatten().zip(mirror.iter().flatten()) {
             assert!((lobe - mirror).abs() < 0.01, "{arithmetic}: {lobe} and {mirror}");
         }
     }
@@ -122,10 +125,11 @@ fn an_effect_does_not_change_the_noise_of_another() {
 fn same_without(scene: &Scene, effect: Effect) {
     for arithmetic in each_arithmetic() {
         for effects in subsets().filter(|effects| effects.has(effect)) {
-            let [with, without] = [effects, effects.without(effect)]
-                .map(|effects| rendered(arithmetic, scene, effects, &SMALL));
-            assert_eq!(bits(&with), bits(&without), "{arithmetic} {effects:?} without {effect:?}");
-            assert!(tally(&with.counts, effect).points > 0);
+            let [with, without] =
+                [effects, effects.without(effect)].map(|effects| bits(arithmetic, scene, effects));
+            assert_eq!(with, without, "{arithmetic} {effects:?} without {effect:?}");
+            let frame = rendered(arithmetic, scene, effects, &SMALL);
+            assert!(tally(&frame.counts, effect).points > 0);
         }
     }
 }

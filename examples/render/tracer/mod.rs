@@ -23,7 +23,9 @@ mod sample;
 mod vector;
 
 pub use camera::{Camera, Ray};
-pub use effects::{Ambient, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Unoccluded};
+pub use effects::{
+    Ambient, Draw, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Unoccluded,
+};
 pub use geometry::{Checker, Finish, Hit, Material, Plane, Sphere};
 pub use renderer::{Renderer, Sky};
 pub use sample::{Counts, Owen, Points, Tally};

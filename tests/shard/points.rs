@@ -1,0 +1,134 @@
+//! Points: the bytes of shards are those of the library's own loop.
+
+use super::arithmetics::{Exponent, Number, Tested};
+use super::{folder, holds, made, parts};
+use hemidisc::arithmetic::Arithmetic;
+use hemidisc::catalogue::{MapVisitor, SequenceVisitor, maps, power_maps, sequences};
+use hemidisc::map::Component;
+use hemidisc::sequence::{Sequence, SobolOwen};
+use hemidisc::{Concentric, FastF32, Map, Points};
+
+/// A component's bits from their text, little-endian.
+fn bytes_of<N: Number>(number: N) -> Vec<u8> {
+    let raw = number.raw();
+    let bits = match raw.strip_prefix("0x") {
+        Some(digits) => u64::from_str_radix(digits, 16).unwrap(),
+        None => raw.parse::<i64>().unwrap() as u64,
+    };
+    bits.to_le_bytes()[..size_of::<N>()].to_vec()
+}
+
+/// The points one by one.
+fn plain<S: Sequence, M: Map<Point: AsRef<[Component<M>]>>>(
+    sequence: S,
+    map: M,
+    count: u32,
+) -> Vec<u8>
+where
+    Component<M>: Number,
+{
+    let points = Points::of_range(sequence, map, 0, count).unwrap();
+    points.iter().flat_map(|point| point.as_ref().to_vec()).flat_map(bytes_of).collect()
+}
+
+struct EachSequence;
+
+impl SequenceVisitor for EachSequence {
+    fn visit<S: Sequence>(&mut self, name: &'static str, sequence: S) {
+        let folder = folder();
+        let expected = plain(sequence, Concentric::<FastF32>::new(), 200);
+        assert_eq!(expected.len(), 1600);
+        for shards in [1, 2, 3, 7, 201] {
+            let arguments = format!(
+                "points --sequence {name} --seed 9 --count 200 --map disc-concentric \
+                 --arithmetic fast-f32 --shards {shards}"
+            );
+            assert!(made(folder.path(), &arguments) == expected, "{arguments}");
+        }
+        holds(folder.path(), &[]);
+    }
+}
+
+#[test]
+fn shards_of_every_sequence_are_the_whole() {
+    sequences(200, 9, &mut EachSequence).unwrap();
+}
+
+#[test]
+fn processes_are_the_whole() {
+    // More than a block of coordinates, and fewer than shards.
+    for (count, shards) in [(10_000, 1), (10_000, 2), (10_000, 3), (10_000, 7), (5, 7)] {
+        let folder = folder();
+        let expected = plain(SobolOwen::new(0), Concentric::<FastF32>::new(), count);
+        let arguments = format!(
+            "points --sequence=sobol-owen --count={count} --map=disc-concentric \
+             --arithmetic=fast-f32 --threads=2"
+        );
+        for by in ["threads", "processes"] {
+            let arguments = format!("{arguments} --shards={shards} --by={by}");
+            assert!(made(folder.path(), &arguments) == expected, "{arguments}");
+        }
+        parts(folder.path(), &arguments, 0..shards, shards);
+        let names = (0..shards).rev().map(|shard| format!("{shard}-of-{shards}.part"));
+        let names = names.collect::<Vec<_>>().join(" ");
+        assert!(made(folder.path(), &format!("merge {names}")) == expected, "{names}");
+    }
+}
+
+/// Compares every map of an arithmetic with its shards.
+struct EachMap {
+    power: &'static str,
+    maps: usize,
+}
+
+impl EachMap {
+    fn check<M: Map<Arithmetic: Tested, Point: AsRef<[Component<M>]>>>(
+        &mut self,
+        name: &str,
+        map: M,
+    ) {
+        let folder = folder();
+        let expected = plain(SobolOwen::new(3), map, 70);
+        let arguments = format!(
+            "points --sequence sobol-owen --seed 3 --count 70 --map {name} --arithmetic {} \
+             --shards 3",
+            M::Arithmetic::NAME
+        );
+        assert!(made(folder.path(), &arguments) == expected, "{arguments}");
+        self.maps += 1;
+    }
+}
+
+impl<A: Tested> MapVisitor<A> for EachMap {
+    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
+        self.check(&format!("disc-{name}"), map);
+    }
+
+    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
+        &mut self,
+        name: &'static str,
+        disc: &'static str,
+        map: M,
+    ) {
+        self.check(&format!("hemisphere-{name} --disc {disc}{}", self.power), map);
+    }
+}
+
+fn shards_of_every_map_are_the_whole<A: Tested>() {
+    let mut check = EachMap { power: "", maps: 0 };
+    maps::<A>(&mut check);
+    check.power = " --exponent 2.5";
+    power_maps::<A>(A::Parameter::exactly(2.5).unwrap(), &mut check).unwrap();
+    assert_eq!(check.maps, 8);
+}
+
+each_arithmetic!(tests shards_of_every_map_are_the_whole);
+
+#[test]
+fn the_square_is_its_coordinates() {
+    let folder = folder();
+    let bytes =
+        made(folder.path(), "points --sequence sobol-owen --count 70 --map square --shards 3");
+    let expected = (0..70).flat_map(|index| SobolOwen::new(0).at(index)).flat_map(u32::to_le_bytes);
+    assert!(bytes == expected.collect::<Vec<_>>());
+}
