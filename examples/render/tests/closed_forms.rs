@@ -80,7 +80,7 @@ fn what_is_between_a_light_and_a_floor_hides_it() {
                 &POINT,
             )[0]
         };
-        near(pixel(1.0), 0.1, 1e-12);
+        near(pixel(1.0), 0.1, 1e-9);
         near(pixel(4.0), 0.1 + 0.5 * 9.0 / 9.0 / PI, 1e-3);
     }
 }
