@@ -4,11 +4,12 @@
 //! fused multiply-add, so errors of a few units of 2^-53 are measured to a small fraction of one. Errors of
 //! fixed point are absolute, and are simple differences of doubles.
 
-use crate::arithmetics::peak;
+use super::arithmetics::peak;
 use hemidisc::Map;
 use hemidisc::arithmetic::{Arithmetic, contract::Contract};
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
 use hemidisc::invariant::Exact;
+use std::fmt::Display;
 
 /// A real number as an unevaluated sum.
 #[derive(Clone, Copy, Debug, Default)]
@@ -51,6 +52,14 @@ pub struct Reference {
     /// None on the disc.
     pub z: Option<Pair>,
     pub density: Pair,
+}
+
+impl Reference {
+    /// With the smallest normal number for a z that floats do not hold: below e = 0 the true one leaves their range.
+    pub fn with_z_from(self, smallest: f64) -> Self {
+        let z = self.z.map(|z| if z.hi < smallest { Pair { hi: smallest, lo: 0.0 } } else { z });
+        Self { z, ..self }
+    }
 }
 
 /// Errors of points in units of a contract, the largest of each kind.
@@ -188,7 +197,7 @@ impl Errors {
 
     /// Asserts the bounds of a contract; those of theta, density and inverse, and that of z, only
     /// where they are promised.
-    pub fn assert_within(&self, contract: &Contract, theta: bool, z: bool, label: &str) {
+    pub fn assert_within(&self, contract: &Contract, theta: bool, z: bool, label: &impl Display) {
         let c = contract;
         let check = |name: &str, error: f64, bound: f64| {
             assert!(error <= bound, "{label}: {name} error {error} exceeds {bound}");
@@ -208,7 +217,7 @@ impl Errors {
     /// Asserts that no bound is twice what was found or more: a stale one.
     ///
     /// A bound of 1 LSB is as low as one of fixed point can be.
-    pub fn assert_not_stale(&self, contract: &Contract, label: &str) {
+    pub fn assert_not_stale(&self, contract: &Contract, label: &impl Display) {
         let check = |name: &str, error: f64, bound: f64| {
             assert!(
                 bound == 0.0 || bound < 2.0 * error || !contract.relative && bound == 1.0,

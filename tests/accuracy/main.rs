@@ -7,3 +7,5 @@ mod arithmetics;
 mod contracts;
 mod errors;
 mod hard_cases;
+mod reference;
+mod vectors;

@@ -1,6 +1,6 @@
 //! The arithmetics under test: the list that every generic test runs over, and what a test must know of
 //! each. A new arithmetic is a line of [`each_arithmetic`]; a new number type also an `impl Number`.
-#![allow(dead_code, reason = "each test needs a part of it")]
+#![allow(dead_code, unused_macros, reason = "each test needs a part of it")]
 
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::invariant::{Digestible, Exact};
