@@ -13,6 +13,11 @@
 //! | `Q15Div` | `fixed-point` | `Q15` | the same, with a division and no table in the concentric map |
 //! | `Q31` | `fixed-point` | `Q31` | integers alone: tables and short series, the same bytes on any core |
 //! | `MicromathF32` | `micromath` | `f32` | three digits: `micromath`'s sine and cosine, the rest refined |
+//!
+//! What each costs, and what its points are good to: of a panel's marks, those on the line are not beaten by another
+//! in both. `docs/accuracy.md` has the figures, and says which to use.
+//!
+#![doc = include_str!("../docs/pareto.svg")]
 
 use crate::error::Error;
 use crate::map::DiscMap;

@@ -3,59 +3,12 @@
 //! bits of a coordinate has a table of its own.
 
 use crate::arithmetics::{Exponent, Number, Tested};
-use crate::errors::{EachMap, Errors, Pair, Reference, each_map, each_power_map};
+use crate::errors::{EachMap, Errors, each_map, each_power_map};
+use crate::vectors::{Table, UNREAD, double, table};
 use hemidisc::arithmetic::contract::{CONTRACTS, contract};
 use hemidisc::invariant::{self, Exact};
 use hemidisc::{LibmF32, LibmF64, Map};
 use std::collections::{BTreeSet, HashMap};
-
-/// One line of the table.
-#[derive(Clone, Copy)]
-struct Case {
-    uv: [u32; 2],
-    exact: Reference,
-}
-
-/// The cases of each (map, disc map, bits of the exponent).
-type Table = HashMap<(String, String, String), Vec<Case>>;
-
-fn double(bits: &str) -> f64 {
-    f64::from_bits(u64::from_str_radix(bits, 16).unwrap())
-}
-
-/// The table for coordinates of `bits` bits. Those that are not read are set to a pattern.
-fn table(bits: u32) -> Table {
-    let (text, unread) = match bits {
-        32 => (include_str!("../vectors/maps.csv"), 0),
-        16 => (include_str!("../vectors/maps_16.csv"), UNREAD),
-        _ => panic!("no table for coordinates of {bits} bits"),
-    };
-    let mut table = Table::new();
-    for line in text.lines().skip(1) {
-        let fields: Vec<&str> = line.split(',').collect();
-        let pair = |i: usize| Pair { hi: double(fields[i]), lo: double(fields[i + 1]) };
-        let word = |i: usize| {
-            assert_eq!(fields[i].len() as u32, bits / 4);
-            u32::from_str_radix(fields[i], 16).unwrap() << (32 - bits) | unread
-        };
-        let case = Case {
-            uv: [word(3), word(4)],
-            exact: Reference {
-                x: pair(5),
-                y: pair(7),
-                z: (!fields[9].is_empty()).then(|| pair(9)),
-                s2: pair(11),
-                density: pair(13),
-            },
-        };
-        let key = (fields[0].to_string(), fields[1].to_string(), fields[2].to_string());
-        table.entry(key).or_default().push(case);
-    }
-    table
-}
-
-/// The low bits of a coordinate of which only the top 16 are read.
-const UNREAD: u32 = 0x9e37;
 
 /// Runs the cases of each map, with the exponent that the maps were made with.
 struct Check<'a> {

@@ -8,3 +8,4 @@ mod contracts;
 mod errors;
 mod hard_cases;
 mod reference;
+mod vectors;

@@ -1,0 +1,79 @@
+//! What accuracy costs: for every map x arithmetic the errors, the evenness that is left of a set, and what a point
+//! costs on this machine and on the boards.
+//!
+//! ```text
+//! cargo bench --bench accuracy                  writes target/accuracy/{report.json, report.md, pareto.svg}
+//! cargo bench --bench accuracy -- --check       and compares the accuracy columns with docs/accuracy.md
+//! cargo bench --bench accuracy -- --bless       and writes docs/accuracy.md and docs/pareto.svg
+//! ```
+//!
+//! Instructions, flash and stack are those of `target/firmware/report.json`, which the firmware's runner writes;
+//! without it the boards' columns are empty.
+
+#[macro_use]
+#[path = "../../tests/arithmetics/mod.rs"]
+mod arithmetics;
+#[path = "../../examples/gallery/canvas.rs"]
+#[expect(dead_code, reason = "the gallery draws more")]
+mod canvas;
+#[path = "../../examples/gallery/curve.rs"]
+#[allow(dead_code, unused_imports, reason = "the gallery draws more, and tests it")]
+mod curve;
+#[path = "../../tests/accuracy/errors.rs"]
+#[expect(dead_code, reason = "the tests assert bounds")]
+mod errors;
+mod evenness;
+mod firmware;
+mod frontier;
+mod measure;
+mod plot;
+#[path = "../../tests/accuracy/reference.rs"]
+mod reference;
+mod report;
+mod time;
+#[path = "../../tests/accuracy/vectors.rs"]
+mod vectors;
+
+use clap::Parser;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+#[derive(Parser)]
+struct Arguments {
+    /// Compare the accuracy columns of docs/accuracy.md with those measured
+    #[arg(long, conflicts_with = "bless")]
+    check: bool,
+    /// Write docs/accuracy.md and docs/pareto.svg
+    #[arg(long)]
+    bless: bool,
+    /// What `cargo bench` adds
+    #[arg(long, hide = true)]
+    bench: bool,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments = Arguments::parse();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut rows = measure::rows();
+    time::measure(&mut rows);
+    let boards = firmware::add(&mut rows, &root.join("target/firmware/report.json"))?;
+    println!("{boards}");
+
+    let folder = root.join("target/accuracy");
+    fs::create_dir_all(&folder)?;
+    let (table, choices) = (report::markdown(&rows), report::choices(&rows));
+    let plot = plot::pareto(&rows)?;
+    fs::write(folder.join("report.json"), serde_json::to_string_pretty(&rows)? + "\n")?;
+    fs::write(folder.join("report.md"), format!("{table}\n{choices}"))?;
+    fs::write(folder.join("pareto.svg"), &plot)?;
+    println!("{table}\n{choices}");
+    if arguments.check {
+        report::check(root, &table)?;
+    }
+    if arguments.bless {
+        report::publish(root, &table, &choices)?;
+        fs::write(root.join("docs/pareto.svg"), plot)?;
+    }
+    Ok(())
+}
