@@ -43,22 +43,29 @@ const fn centre(n: u32) -> f32 {
     n.cast_signed() as f32 + 0.5
 }
 
-/// (2k + 1) / 2^33 correctly rounded, in halves that conversions of signed integers hold; and what the
-/// rounding has added, in units of 2^-32.
+/// (2k + 1) / 2^33 with some low bits of 2k + 1 cleared, correctly rounded.
+///
+/// The halves of k are put where the mantissas of 2^7 and 2^-10 have these very bits, and the powers are taken
+/// away before the one addition that rounds: no conversion, which few vector units have for 32 bits.
 #[inline(always)]
-const fn halves(k: u32) -> (f32, f32) {
-    let high = (k >> 16).cast_signed() as f32 * 65_536.0;
-    let low = centre(k & 0xffff);
-    let sum = high + low;
-    // Exact, for high is 0 or larger than low (T. Dekker, 1971).
-    (sum * (1.0 / 4_294_967_296.0), (sum - high) - low)
+const fn halves(k: u32, cleared: u32) -> f32 {
+    let high = f32::from_bits(128_f32.to_bits() | k >> 16) - (128.0 + 1.0 / 1024.0);
+    let low = f32::from_bits(((1.0 / 1024_f32).to_bits() | 1 | k << 1 & 0x1_ffff) & !cleared);
+    high + low
+}
+
+/// (2k + 1) / 2^33 correctly rounded.
+#[inline(always)]
+const fn centre_nearest(k: u32) -> f32 {
+    halves(k, 0)
 }
 
 /// (2k + 1) / 2^33 toward zero.
 #[inline(always)]
 pub(super) const fn centre_down(k: u32) -> f32 {
-    let (nearest, added) = halves(k);
-    f32::from_bits(nearest.to_bits() - (added > 0.0) as u32)
+    // 24 bits are kept. Of the quotient by 2^24 the highest bit is where the first lost one is, which decides
+    // the rounding: without it, it is down.
+    halves(k, k >> 23)
 }
 
 #[inline(always)]
@@ -170,8 +177,7 @@ pub(super) const fn polar<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDisc {
     let swap = mask(quarter & 1 << 29 != 0);
     let octant = quarter ^ (swap & 0x3fff_ffff);
     let t = centre(octant) * (1.0 / 536_870_912.0);
-    let (r2, _) = halves(v);
-    let (rim, _) = halves(!v);
+    let (r2, rim) = (centre_nearest(v), centre_nearest(!v));
     let r = normal_sqrt(r2);
     let gaps = gaps(t * t);
     let turn = Turn { swap, signs: [half << 1, u] };
@@ -241,6 +247,17 @@ mod tests {
         let steps = (0..31).flat_map(|bit| [1 << bit, (1 << bit) - 1, (1 << bit) + 5]);
         let rim = (0..1 << 13).step_by(61);
         steps.chain(rim).flat_map(|step: u32| [step, !step, step ^ 0x8000_0000, step ^ 0x7fff_ffff])
+    }
+
+    /// In f64 the centre of a cell is exact.
+    #[test]
+    fn centres_are_rounded_as_they_say() {
+        for k in words().chain((0..1 << 20).map(|i: u32| i.wrapping_mul(0x9e37_79b1))) {
+            let exact = (f64::from(k) + 0.5) / 4_294_967_296.0;
+            let nearest = exact as f32;
+            let down = if f64::from(nearest) > exact { nearest.next_down() } else { nearest };
+            assert_eq!([centre_nearest(k), centre_down(k)], [nearest, down], "{k:x}");
+        }
     }
 
     /// Both forms are compiled everywhere, though a target takes one of them.
