@@ -60,6 +60,20 @@ pub use q15_div::Q15Div;
 #[cfg(feature = "fixed-point")]
 pub use q31::{Q31Disc, Q31Exponent};
 
+/// Fills a block a point at a time. A component is stored at a time, which LLVM likes better than an array; and
+/// this is a macro, for a closure would hide a long kernel from the inliner.
+macro_rules! point_by_point {
+    ($u:ident, $v:ident, $out:ident, $uv:ident => $point:expr) => {
+        for (slot, (u, v)) in $out.iter_mut().zip($u.iter().zip($v)) {
+            let $uv = [*u, *v];
+            for (component, value) in slot.iter_mut().zip($point) {
+                *component = value;
+            }
+        }
+    };
+}
+pub(crate) use point_by_point;
+
 /// A number type and the kernels of all maps on it.
 ///
 /// Coordinates are read at the centres of their cells. Every kernel is total: all 2^64 pairs of
@@ -116,6 +130,39 @@ pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static
     /// Lifts to the cosine-power hemisphere: z = (1 - r^2)^(1 / (e + 1)).
     fn power(exponent: Self::Exponent, disc: Self::Disc) -> [Self::Real; 3];
 
+    /// [`store`](Self::store) over a block of points of a disc map; the same bits.
+    #[inline(always)]
+    fn disc_block<D: DiscMap<Arithmetic = Self>>(
+        disc: &D,
+        u: &Block,
+        v: &Block,
+        out: &mut [[Self::Real; 2]; BLOCK],
+    ) {
+        point_by_point!(u, v, out, uv => Self::store(disc.disc::<false>(uv)));
+    }
+
+    /// [`uniform`](Self::uniform) over a block of points of a disc map; the same bits.
+    #[inline(always)]
+    fn uniform_block<D: DiscMap<Arithmetic = Self>>(
+        disc: &D,
+        u: &Block,
+        v: &Block,
+        out: &mut [[Self::Real; 3]; BLOCK],
+    ) {
+        point_by_point!(u, v, out, uv => Self::uniform(disc.disc::<true>(uv)));
+    }
+
+    /// [`cosine`](Self::cosine) over a block of points of a disc map; the same bits.
+    #[inline(always)]
+    fn cosine_block<D: DiscMap<Arithmetic = Self>>(
+        disc: &D,
+        u: &Block,
+        v: &Block,
+        out: &mut [[Self::Real; 3]; BLOCK],
+    ) {
+        point_by_point!(u, v, out, uv => Self::cosine(disc.disc::<true>(uv)));
+    }
+
     /// [`power`](Self::power) over a block of points of a disc map; the same bits.
     #[inline(always)]
     fn power_block<D: DiscMap<Arithmetic = Self>>(
@@ -125,12 +172,7 @@ pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static
         v: &Block,
         out: &mut [[Self::Real; 3]; BLOCK],
     ) {
-        for (slot, (u, v)) in out.iter_mut().zip(u.iter().zip(v)) {
-            let [x, y, z] = Self::power(exponent, disc.disc::<true>([*u, *v]));
-            slot[0] = x;
-            slot[1] = y;
-            slot[2] = z;
-        }
+        point_by_point!(u, v, out, uv => Self::power(exponent, disc.disc::<true>(uv)));
     }
 
     /// A stored point of the disc, for its inverse.

@@ -34,9 +34,13 @@ pub trait SequenceVisitor {
 /// Sees every one-to-one map of an arithmetic in turn.
 pub trait MapVisitor<A: Arithmetic> {
     /// Called once for each map onto the disc.
-    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M);
+    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]> + 'static>(
+        &mut self,
+        name: &'static str,
+        map: M,
+    );
     /// Called once for each map onto the hemisphere: its lobe, and the disc map below it.
-    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
+    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]> + 'static>(
         &mut self,
         name: &'static str,
         disc: &'static str,

@@ -60,19 +60,25 @@ pub trait Map: Copy {
     }
 }
 
-/// The points of a block, stored a component at a time: LLVM vectorises a branchless kernel so, but
-/// not where the array is stored whole, nor where a closure hides a long kernel from the inliner.
+/// The points of a block, a component at a time: LLVM vectorises a branchless kernel so, but not where the
+/// array is stored whole, nor where a closure hides a long kernel from the inliner. Stored among other
+/// components at once, it would fill half of each vector.
 #[inline(always)]
-pub(crate) fn by_component<R: Copy, const D: usize, M: Map<Point = [R; D]>>(
+pub(crate) fn by_component<R: Copy + Default, const D: usize, M: Map<Point = [R; D]>>(
     map: &M,
     u: &Block,
     v: &Block,
     out: &mut [[R; D]; BLOCK],
 ) {
-    for (slot, (u, v)) in out.iter_mut().zip(u.iter().zip(v)) {
-        let point = map.sample([*u, *v]);
-        for (component, value) in slot.iter_mut().zip(point) {
-            *component = value;
+    let mut components = [[R::default(); BLOCK]; D];
+    for (lane, (u, v)) in u.iter().zip(v).enumerate() {
+        for (component, value) in components.iter_mut().zip(map.sample([*u, *v])) {
+            component[lane] = value;
+        }
+    }
+    for (lane, slot) in out.iter_mut().enumerate() {
+        for (value, component) in slot.iter_mut().zip(&components) {
+            *value = component[lane];
         }
     }
 }

@@ -169,6 +169,18 @@ macro_rules! walks {
 }
 use walks;
 
+/// Whether a block of indices from `start` on is inside a set, which does not repeat before its end.
+#[inline(always)]
+const fn is_inside(start: u32, size: u32) -> bool {
+    start as u64 + BLOCK as u64 <= size as u64
+}
+
+/// The indices of a block.
+#[inline(always)]
+fn indices(start: u32) -> Block {
+    core::array::from_fn(|lane| start + lane as u32)
+}
+
 /// A block of points that are cheaper one after another than each by its index.
 #[inline(always)]
 fn block_in_order(points: impl Iterator<Item = [u32; 2]>, u: &mut Block, v: &mut Block) {

@@ -24,6 +24,7 @@
 //! There is no fused multiply-add and no sum in another order: the bits are the same on SSE2, AVX-512,
 //! Arm and RISC-V. Everything up to the exponent is `const`.
 
+mod block;
 mod disc;
 mod functions;
 mod power;
@@ -151,6 +152,16 @@ impl Arithmetic for FastF32 {
         disc.point
     }
 
+    #[inline(always)]
+    fn disc_block<D: DiscMap<Arithmetic = Self>>(
+        disc: &D,
+        u: &Block,
+        v: &Block,
+        out: &mut [[f32; 2]; BLOCK],
+    ) {
+        block::disc(disc, u, v, out);
+    }
+
     /// sin^2 theta = 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)).
     #[inline(always)]
     fn uniform(disc: FastDisc) -> [f32; 3] {
@@ -159,9 +170,29 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
+    fn uniform_block<D: DiscMap<Arithmetic = Self>>(
+        disc: &D,
+        u: &Block,
+        v: &Block,
+        out: &mut [[f32; 3]; BLOCK],
+    ) {
+        block::uniform(disc, u, v, out);
+    }
+
+    #[inline(always)]
     fn cosine(disc: FastDisc) -> [f32; 3] {
         let [x, y] = disc.point;
         [x, y, functions::normal_sqrt(disc.rim)]
+    }
+
+    #[inline(always)]
+    fn cosine_block<D: DiscMap<Arithmetic = Self>>(
+        disc: &D,
+        u: &Block,
+        v: &Block,
+        out: &mut [[f32; 3]; BLOCK],
+    ) {
+        block::cosine(disc, u, v, out);
     }
 
     fn exponent(e: f32) -> Result<FastExponent, Error> {
@@ -181,7 +212,7 @@ impl Arithmetic for FastF32 {
         v: &Block,
         out: &mut [[f32; 3]; BLOCK],
     ) {
-        power::lift_block(exponent, disc, u, v, out);
+        block::power(exponent, disc, u, v, out);
     }
 
     #[inline]

@@ -6,14 +6,16 @@
 //! 9(4), 2020) with the constants of N. Vegdahl's 2021 search, as in the crate `sobol_burley`.
 //! `seed` must be well mixed already: consecutive integers will not do.
 
+const MULTIPLIERS: [u32; 3] = [0x3d20_adea, 0x0552_6c56, 0x53a2_2864];
+
 /// Owen-scrambles `x`, whose bits are reversed: bit b of the result depends on bits 0..=b of `x`.
 #[inline(always)]
 pub const fn scramble_reversed(mut x: u32, seed: u32) -> u32 {
-    x ^= x.wrapping_mul(0x3d20_adea);
+    x ^= x.wrapping_mul(MULTIPLIERS[0]);
     x = x.wrapping_add(seed);
     x = x.wrapping_mul((seed >> 16) | 1);
-    x ^= x.wrapping_mul(0x0552_6c56);
-    x ^ x.wrapping_mul(0x53a2_2864)
+    x ^= x.wrapping_mul(MULTIPLIERS[1]);
+    x ^ x.wrapping_mul(MULTIPLIERS[2])
 }
 
 /// Owen-scrambles `x` as a binary fraction: permutes dyadic intervals of every size among their
@@ -23,10 +25,66 @@ pub const fn scramble(x: u32, seed: u32) -> u32 {
     scramble_reversed(x.reverse_bits(), seed).reverse_bits()
 }
 
+/// The numbers below 64, their six bits reversed.
+const REVERSED: [u16; 64] = {
+    let mut reversed = [0; 64];
+    let mut low = 0;
+    while low < 64 {
+        reversed[low] = (low as u16).reverse_bits() >> 10;
+        low += 1;
+    }
+    reversed
+};
+
+/// The six low bits of what [`scramble`] makes of 64 numbers, the first a multiple of 64; the others they have in
+/// common.
+///
+/// Reversed, the six are the highest, and the lower 26 do not depend on them: these are scrambled once, with what each
+/// step carries into the six. Modulo 64 a step takes 16 bits, of which the smallest vector has eight and a product is
+/// one operation.
+#[inline(always)]
+pub(crate) fn scramble_low(first: u32, seed: u32) -> [u16; 64] {
+    const LOWER: u32 = (1 << 26) - 1;
+    let carried = |sum: u32| (sum >> 26) as u16;
+    let [m0, m1, m2] = MULTIPLIERS.map(|multiplier| multiplier as u16);
+    let multiplier = (seed >> 16) | 1;
+
+    let x = first.reverse_bits() & LOWER;
+    let p0 = x.wrapping_mul(MULTIPLIERS[0]);
+    let sum = ((x ^ p0) & LOWER) + (seed & LOWER);
+    let product = (sum & LOWER).wrapping_mul(multiplier);
+    let x = product & LOWER;
+    let p1 = x.wrapping_mul(MULTIPLIERS[1]);
+    let p2 = ((x ^ p1) & LOWER).wrapping_mul(MULTIPLIERS[2]);
+
+    let mut places = REVERSED;
+    for place in &mut places {
+        let mut x = *place;
+        x ^= x.wrapping_mul(m0).wrapping_add(carried(p0));
+        x = x.wrapping_add(carried(seed)).wrapping_add(carried(sum));
+        x = x.wrapping_mul(multiplier as u16).wrapping_add(carried(product));
+        x ^= x.wrapping_mul(m1).wrapping_add(carried(p1));
+        x ^= x.wrapping_mul(m2).wrapping_add(carried(p2));
+        *place = (x << 10).reverse_bits();
+    }
+    places
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::bits::hash::mix;
+
+    #[test]
+    fn low_bits_of_a_block_are_those_of_its_numbers() {
+        for trial in 0..2000_u32 {
+            let (first, seed) = (mix(trial) & !63, mix(!trial));
+            for (x, low) in (first..=first | 63).zip(scramble_low(first, seed)) {
+                let others = scramble(first, seed) & !63;
+                assert_eq!(others | u32::from(low), scramble(x, seed), "{x:#x} {seed:#x}");
+            }
+        }
+    }
 
     #[test]
     fn prefixes_map_to_prefixes() {

@@ -15,6 +15,7 @@ use super::{
     hash::mix,
     wide::{HALVES, high},
 };
+use crate::sequence::Block;
 
 /// Rounds of swap-or-not. A chi-square test of places, or of pairs of places, can tell 10 from random
 /// (tests/promises/permutation.rs); and a round leaves an element where it is with probability 1/2,
@@ -59,20 +60,79 @@ pub const fn permute(index: u32, len: u32, seed: u32) -> u32 {
 
 const fn swapped_or_not(index: u32, len: u32, seed: u32) -> u32 {
     let mut x = index;
-    // Rounds take a word each from a linear congruential generator of full period (the multiplier: G. Steele
-    // and S. Vigna, "Computationally Easy, Spectrally Good Multipliers", 2022): no word comes twice, or a round
-    // would undo another. Neighbouring seeds begin far apart.
-    let mut state = mix(seed ^ 0x9e37_79b9);
+    let mut word = first_word(seed);
     let mut left = rounds(len);
     while left > 0 {
-        state = state.wrapping_mul(0x915f_77f5).wrapping_add(0x9e37_79b9);
-        let key = below(len, state);
-        let partner = if key >= x { key - x } else { len - (x - key) };
-        let upper = if x > partner { x } else { partner };
-        x = either(x, partner, hash(upper ^ state));
+        word = next_word(word);
+        let (partner, swap) = pair(x, len, below(len, word), word);
+        x = either(x, partner, swap);
         left -= 1;
     }
     x
+}
+
+/// Rounds take a word each from a linear congruential generator of full period (the multiplier: G. Steele
+/// and S. Vigna, "Computationally Easy, Spectrally Good Multipliers", 2022): no word comes twice, or a round
+/// would undo another. Neighbouring seeds begin far apart.
+#[inline(always)]
+const fn first_word(seed: u32) -> u32 {
+    mix(seed ^ 0x9e37_79b9)
+}
+
+#[inline(always)]
+const fn next_word(word: u32) -> u32 {
+    word.wrapping_mul(0x915f_77f5).wrapping_add(0x9e37_79b9)
+}
+
+/// What a round may swap `x` with, and bits of which the highest says that it does.
+#[inline(always)]
+const fn pair(x: u32, len: u32, key: u32, word: u32) -> (u32, u32) {
+    let partner = if key >= x { key - x } else { len - (x - key) };
+    let upper = if x > partner { x } else { partner };
+    (partner, hash(upper ^ word))
+}
+
+/// [`permute`] of a block of places, all of them below `len`, by one seed: round after round over all, which are
+/// vectors then.
+#[inline(always)]
+pub(crate) fn permute_block(places: &mut Block, len: u32, seed: u32) {
+    if len <= SHORT {
+        places.iter_mut().for_each(|place| *place = shuffled(*place, len, seed));
+        return;
+    }
+    let mut word = first_word(seed);
+    for _ in 0..rounds(len) {
+        word = next_word(word);
+        let key = below(len, word);
+        for place in places.iter_mut() {
+            let (partner, swap) = pair(*place, len, key, word);
+            *place = chosen(*place, partner, swap);
+        }
+    }
+}
+
+/// [`permute_block`] by a seed for each place.
+#[inline(always)]
+pub(crate) fn permute_each(places: &mut Block, len: u32, mut seeds: Block) {
+    let both = places.iter_mut().zip(&mut seeds);
+    if len <= SHORT {
+        both.for_each(|(place, seed)| *place = shuffled(*place, len, *seed));
+        return;
+    }
+    both.for_each(|(_, word)| *word = first_word(*word));
+    for _ in 0..rounds(len) {
+        for (place, word) in places.iter_mut().zip(&mut seeds) {
+            *word = next_word(*word);
+            let (partner, swap) = pair(*place, len, below(len, *word), *word);
+            *place = chosen(*place, partner, swap);
+        }
+    }
+}
+
+/// [`either`] without a look-up, for vectors.
+#[inline(always)]
+const fn chosen(first: u32, second: u32, bits: u32) -> u32 {
+    first ^ (first ^ second) & (bits.cast_signed() >> 31).cast_unsigned()
 }
 
 /// A number below `len`: floor(`len` bits / 2^32), by two products where `len` is half a word.
@@ -126,4 +186,27 @@ const fn shuffled(index: u32, len: u32, seed: u32) -> u32 {
         places ^= difference << last | difference << pick;
     }
     places >> (4 * index) & 0xf
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sequence::BLOCK;
+
+    #[test]
+    fn blocks_are_permuted_as_their_places_are() {
+        let lengths = [1, 2, 7, 8, 9, 64, 100, 256, 257, 4096, 65_537, (1 << 31) + 5, u32::MAX];
+        for (len, seed) in lengths.into_iter().flat_map(|len| [(len, 7), (len, mix(len))]) {
+            let places: Block = core::array::from_fn(|lane| mix(lane as u32) % len);
+            let mut block = places;
+            permute_block(&mut block, len, seed);
+            assert_eq!(block, places.map(|place| permute(place, len, seed)), "{len} {seed}");
+            let seeds: Block = core::array::from_fn(|lane| mix(seed + lane as u32));
+            let mut each = places;
+            permute_each(&mut each, len, seeds);
+            for lane in 0..BLOCK {
+                assert_eq!(each[lane], permute(places[lane], len, seeds[lane]), "{len} {lane}");
+            }
+        }
+    }
 }

@@ -46,7 +46,7 @@ macro_rules! disc_map {
                 v: &crate::sequence::Block,
                 out: &mut [[A::Real; 2]; crate::sequence::BLOCK],
             ) {
-                crate::map::by_component(self, u, v, out);
+                A::disc_block(self, u, v, out);
             }
 
             #[inline]

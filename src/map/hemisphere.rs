@@ -13,7 +13,7 @@ pub use uniform::UniformLobe;
 
 use super::Map;
 use super::disc::{Concentric, DiscMap, Polar};
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::{Arithmetic, point_by_point};
 use crate::error::Error;
 use crate::frame::{About, Frame};
 use crate::sequence::{BLOCK, Block};
@@ -36,12 +36,7 @@ pub trait Lobe: Copy {
         v: &Block,
         out: &mut [Direction<Self::Arithmetic>; BLOCK],
     ) {
-        for (slot, (u, v)) in out.iter_mut().zip(u.iter().zip(v)) {
-            let [x, y, z] = self.lift(disc.disc::<true>([*u, *v]));
-            slot[0] = x;
-            slot[1] = y;
-            slot[2] = z;
-        }
+        point_by_point!(u, v, out, uv => self.lift(disc.disc::<true>(uv)));
     }
 
     /// The point of the disc below a direction, x and y up to a common factor.
@@ -176,7 +171,7 @@ impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>>
 
 /// A lobe whose kernels are the arithmetic's functions of the same names.
 macro_rules! lobe {
-    ($lobe:ident, $lift:ident, $lower:ident, $density:ident $(, $parameter:tt, $block:ident)?) => {
+    ($lobe:ident, $lift:ident, $block:ident, $lower:ident, $density:ident $(, $parameter:tt)?) => {
         impl<A: Arithmetic> Lobe for $lobe<A> {
             type Arithmetic = A;
 
@@ -185,7 +180,7 @@ macro_rules! lobe {
                 A::$lift($(self.$parameter,)? disc)
             }
 
-            $(#[inline(always)]
+            #[inline(always)]
             fn lift_block<D: crate::map::DiscMap<Arithmetic = A>>(
                 &self,
                 disc: &D,
@@ -193,8 +188,8 @@ macro_rules! lobe {
                 v: &crate::sequence::Block,
                 out: &mut [[A::Real; 3]; crate::sequence::BLOCK],
             ) {
-                A::$block(self.$parameter, disc, u, v, out)
-            })?
+                A::$block($(self.$parameter,)? disc, u, v, out)
+            }
 
             #[inline]
             fn lower(&self, direction: [A::Real; 3]) -> A::Disc {

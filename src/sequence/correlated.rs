@@ -5,10 +5,10 @@
 //! spreads neighbours evenly: column c and row r go to fine column p(c) n + q(r) and fine row
 //! r m + c, after a shuffle of the order of all points.
 
-use super::{Grid, Sequence, repeat};
+use super::{Block, Grid, Sequence, block_in_order, indices, is_inside, repeat};
 use crate::bits::{
     hash::{Jitter, key},
-    permute::permute,
+    permute::{permute, permute_block},
     strata::Strata,
 };
 use crate::error::Error;
@@ -83,5 +83,25 @@ impl Sequence for Correlated {
     #[inline(always)]
     fn point(&self, index: u32) -> [u32; 2] {
         self.at(index)
+    }
+
+    #[inline(always)]
+    fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
+        let Self { grid, fine, .. } = *self;
+        if !is_inside(start, grid.size()) {
+            return block_in_order(self.iter(start), u, v);
+        }
+        let mut order = indices(start);
+        permute_block(&mut order, grid.size(), self.order);
+        for ((column, row), index) in u.iter_mut().zip(v.iter_mut()).zip(order) {
+            [*column, *row] = grid.cell(index);
+        }
+        permute_block(u, grid.columns(), self.columns);
+        permute_block(v, grid.rows(), self.rows);
+        for ((u, v), index) in u.iter_mut().zip(v).zip(order) {
+            let [right, up] = self.jitter.at(index);
+            *u = fine.jittered(fine.first(*u * grid.rows() + *v), right);
+            *v = fine.jittered(fine.first(index), up);
+        }
     }
 }

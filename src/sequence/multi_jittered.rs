@@ -5,10 +5,10 @@
 //! r m + Q_r(c) of an mn x mn board, where P_c permutes the n rows of column c and Q_r the m
 //! columns of row r, each with a key of its own.
 
-use super::{Grid, Sequence, Walk, repeat, walks};
+use super::{BLOCK, Block, Grid, Sequence, Walk, block_in_order, is_inside, repeat, walks};
 use crate::bits::{
     hash::{Jitter, key, mix},
-    permute::permute,
+    permute::{permute, permute_each},
     strata::Strata,
 };
 use crate::error::Error;
@@ -88,6 +88,31 @@ impl Sequence for MultiJittered {
     }
 
     walks!();
+
+    #[inline(always)]
+    fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
+        let Self { grid, fine, .. } = *self;
+        if !is_inside(start, grid.size()) {
+            return block_in_order(self.iter(start), u, v);
+        }
+        let (mut columns, mut rows) = ([0; BLOCK], [0; BLOCK]);
+        for ((column, row), index) in columns.iter_mut().zip(&mut rows).zip(start..) {
+            [*column, *row] = grid.cell(index);
+        }
+        (*u, *v) = (rows, columns);
+        permute_each(
+            u,
+            grid.rows(),
+            columns.map(|column| mix(self.in_columns.wrapping_add(column))),
+        );
+        permute_each(v, grid.columns(), rows.map(|row| mix(self.in_rows.wrapping_add(row))));
+        let cells = columns.iter().zip(&rows).zip(start..);
+        for ((u, v), ((column, row), index)) in u.iter_mut().zip(v).zip(cells) {
+            let [right, up] = self.jitter.at(index);
+            *u = fine.jittered(fine.first(column * grid.rows() + *u), right);
+            *v = fine.jittered(fine.first(row * grid.columns() + *v), up);
+        }
+    }
 }
 
 /// A row at a time.

@@ -1,10 +1,10 @@
 //! N-rooks (Latin hypercube) points: N rooks on an N x N board, none attacking another
 //! (P. Shirley, "Discrepancy as a Quality Measure for Sample Distributions", 1991).
 
-use super::{Sequence, Walk, not_empty, repeat, walks};
+use super::{Block, Sequence, Walk, block_in_order, indices, is_inside, not_empty, repeat, walks};
 use crate::bits::{
     hash::{Jitter, key},
-    permute::permute,
+    permute::{permute, permute_block},
     strata::Strata,
 };
 use crate::error::Error;
@@ -74,6 +74,21 @@ impl Sequence for NRooks {
     }
 
     walks!();
+
+    #[inline(always)]
+    fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
+        let Self { strata, rows, jitter } = *self;
+        if !is_inside(start, strata.count()) {
+            return block_in_order(self.iter(start), u, v);
+        }
+        *v = indices(start);
+        permute_block(v, strata.count(), rows);
+        for ((u, v), column) in u.iter_mut().zip(v).zip(start..) {
+            let [right, up] = jitter.at(column);
+            *u = strata.jittered(strata.first(column), right);
+            *v = strata.jittered(strata.first(*v), up);
+        }
+    }
 }
 
 impl Walk for NRooks {

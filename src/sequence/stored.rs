@@ -1,6 +1,6 @@
 //! Points that the caller has stored: recorded, random, or a table in flash.
 
-use super::{Block, Sequence, block_in_order, looked_up, repeat};
+use super::{BLOCK, Block, Sequence, block_in_order, looked_up, repeat};
 use crate::error::Error;
 
 /// The caller's own points, in a slice of at least one.
@@ -89,7 +89,12 @@ impl Sequence for Stored<'_> {
 
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
-        block_in_order(self.iter(start), u, v);
+        // All but the last of the slice: vectors take the axes apart.
+        if let Some(points) = self.stretch(start).first_chunk::<BLOCK>() {
+            block_in_order(points.iter().copied(), u, v);
+        } else {
+            block_in_order(self.iter(start), u, v);
+        }
     }
 }
 

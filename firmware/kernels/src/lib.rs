@@ -26,6 +26,8 @@ mod render;
 #[expect(dead_code, reason = "the tests take digests")]
 mod scenes;
 mod sequences;
+#[path = "../../../benches/throughput/textbook.rs"]
+mod textbook;
 #[path = "../../../examples/render/tracer/mod.rs"]
 #[expect(dead_code, unused_imports, reason = "the example counts and reflects in more ways")]
 mod tracer;

@@ -17,10 +17,12 @@ pub struct FastDisc {
     /// The same, or where an inverse begins, as long as it may be.
     direction: [f32; 2],
     /// phi / (pi/4) in the octant, in [0, 1].
-    t: f32,
+    pub(super) t: f32,
     /// 1 - cos phi and 1 - sin phi / t.
     gaps: [f32; 2],
-    turn: Turn,
+    /// r and r t: x and y are these less their gaps.
+    pub(super) ends: [f32; 2],
+    pub(super) turn: Turn,
     pub(super) r2: f32,
     /// 1 - r^2.
     pub(super) rim: f32,
@@ -28,7 +30,7 @@ pub struct FastDisc {
 
 /// From the octant to a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Turn {
+pub(super) struct Turn {
     /// All ones where x and y swap places.
     swap: u32,
     /// Words with the signs of x and y.
@@ -43,22 +45,29 @@ const fn centre(n: u32) -> f32 {
     n.cast_signed() as f32 + 0.5
 }
 
-/// (2k + 1) / 2^33 correctly rounded, in halves that conversions of signed integers hold; and what the
-/// rounding has added, in units of 2^-32.
+/// (2k + 1) / 2^33 with some low bits of 2k + 1 cleared, correctly rounded.
+///
+/// The halves of k are put where the mantissas of 2^7 and 2^-10 have these very bits, and the powers are taken
+/// away before the one addition that rounds: no conversion, which few vector units have for 32 bits.
 #[inline(always)]
-const fn halves(k: u32) -> (f32, f32) {
-    let high = (k >> 16).cast_signed() as f32 * 65_536.0;
-    let low = centre(k & 0xffff);
-    let sum = high + low;
-    // Exact, for high is 0 or larger than low (T. Dekker, 1971).
-    (sum * (1.0 / 4_294_967_296.0), (sum - high) - low)
+const fn halves(k: u32, cleared: u32) -> f32 {
+    let high = f32::from_bits(128_f32.to_bits() | k >> 16) - (128.0 + 1.0 / 1024.0);
+    let low = f32::from_bits(((1.0 / 1024_f32).to_bits() | 1 | k << 1 & 0x1_ffff) & !cleared);
+    high + low
+}
+
+/// (2k + 1) / 2^33 correctly rounded.
+#[inline(always)]
+const fn centre_nearest(k: u32) -> f32 {
+    halves(k, 0)
 }
 
 /// (2k + 1) / 2^33 toward zero.
 #[inline(always)]
 pub(super) const fn centre_down(k: u32) -> f32 {
-    let (nearest, added) = halves(k);
-    f32::from_bits(nearest.to_bits() - (added > 0.0) as u32)
+    // 24 bits are kept. Of the quotient by 2^24 the highest bit is where the first lost one is, which decides
+    // the rounding: without it, it is down.
+    halves(k, k >> 23)
 }
 
 #[inline(always)]
@@ -92,6 +101,12 @@ const fn signed<const BRANCHES: bool>([x, y]: [f32; 2], signs: [u32; 2]) -> [f32
 }
 
 impl Turn {
+    /// A point of the octant in its place.
+    #[inline(always)]
+    pub(super) const fn turned(self, point: [f32; 2]) -> [f32; 2] {
+        signed::<false>(exchanged(self.swap, inward(point)), self.signs)
+    }
+
     /// The point of larger - larger cos and smaller - smaller sin. Not `at_rim` means inside by more than all
     /// errors: a branch then spares it the exact test.
     #[inline(always)]
@@ -103,8 +118,7 @@ impl Turn {
     ) -> [f32; 2] {
         let Self { swap, signs } = self;
         if !BRANCHES {
-            let point = inward([larger - larger * cos, smaller - smaller * sin]);
-            return signed::<BRANCHES>(exchanged(swap, point), signs);
+            return self.turned([larger - larger * cos, smaller - smaller * sin]);
         }
         // Formed in its place: to swap two results would cost Arm five instructions.
         let point = if swap == 0 {
@@ -132,31 +146,34 @@ pub(super) const fn concentric<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDi
     let steep = m_v.cast_signed() > m_u.cast_signed();
     if !BRANCHES {
         let swap = mask(steep);
-        let difference = (m_u ^ m_v) & swap;
-        return ring::<BRANCHES>([m_u ^ difference, m_v ^ difference], Turn { swap, signs });
+        let major = m_u ^ (m_u ^ m_v) & swap;
+        // Rounding keeps the order, and the larger of two floats takes one operation.
+        let (a, b) = (centre(m_u), centre(m_v));
+        let magnitudes = [if a > b { a } else { b }, if a > b { b } else { a }];
+        return ring::<BRANCHES>(major, magnitudes, Turn { swap, signs });
     }
     // Twice all of it, so that nothing is swapped.
     if steep {
-        ring::<BRANCHES>([m_v, m_u], Turn { swap: !0, signs })
+        ring::<BRANCHES>(m_v, [centre(m_v), centre(m_u)], Turn { swap: !0, signs })
     } else {
-        ring::<BRANCHES>([m_u, m_v], Turn { swap: 0, signs })
+        ring::<BRANCHES>(m_u, [centre(m_u), centre(m_v)], Turn { swap: 0, signs })
     }
 }
 
-/// The point of a larger and a smaller magnitude.
+/// The point of a larger and a smaller magnitude, as floats; and of the larger as it is.
 #[inline(always)]
-const fn ring<const BRANCHES: bool>([major, minor]: [u32; 2], turn: Turn) -> FastDisc {
+const fn ring<const BRANCHES: bool>(major: u32, [a, b]: [f32; 2], turn: Turn) -> FastDisc {
     const SCALE: f32 = 1.0 / 2_147_483_648.0;
-    let (a, b) = (centre(major), centre(minor));
     let t = b / a;
     let gaps = gaps(t * t);
-    let larger = a * SCALE;
+    let ends = [a * SCALE, b * SCALE];
+    let [larger, _] = ends;
     let to_rim = centre(0x7fff_ffff - major) * SCALE;
     let (r2, rim) = (larger * larger, to_rim * (2.0 - to_rim));
     // r >= 1 - 16 eps.
     let at_rim = major >= 0x7fff_f800;
-    let point = turn.place::<BRANCHES>([larger, b * SCALE], gaps, at_rim);
-    FastDisc { point, direction: point, t, gaps, turn, r2, rim }
+    let point = turn.place::<BRANCHES>(ends, gaps, at_rim);
+    FastDisc { point, direction: point, t, gaps, ends, turn, r2, rim }
 }
 
 #[inline(always)]
@@ -170,15 +187,15 @@ pub(super) const fn polar<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDisc {
     let swap = mask(quarter & 1 << 29 != 0);
     let octant = quarter ^ (swap & 0x3fff_ffff);
     let t = centre(octant) * (1.0 / 536_870_912.0);
-    let (r2, _) = halves(v);
-    let (rim, _) = halves(!v);
+    let (r2, rim) = (centre_nearest(v), centre_nearest(!v));
     let r = normal_sqrt(r2);
     let gaps = gaps(t * t);
     let turn = Turn { swap, signs: [half << 1, u] };
     // r^2 >= 1 - 16 eps.
     let at_rim = v >= 0xffff_f000;
-    let point = turn.place::<BRANCHES>([r, r * t], gaps, at_rim);
-    FastDisc { point, direction: point, t, gaps, turn, r2, rim }
+    let ends = [r, r * t];
+    let point = turn.place::<BRANCHES>(ends, gaps, at_rim);
+    FastDisc { point, direction: point, t, gaps, ends, turn, r2, rim }
 }
 
 impl FastDisc {
@@ -221,7 +238,7 @@ impl From<FloatDisc<f32>> for FastDisc {
         let signs = direction.map(f32::to_bits);
         let point = signed::<BRANCHES>(inward(magnitudes), signs);
         let turn = Turn { swap: 0, signs };
-        Self { point, direction, t: 0.0, gaps: [0.0; 2], turn, r2, rim }
+        Self { point, direction, t: 0.0, gaps: [0.0; 2], ends: [0.0; 2], turn, r2, rim }
     }
 }
 
@@ -241,6 +258,17 @@ mod tests {
         let steps = (0..31).flat_map(|bit| [1 << bit, (1 << bit) - 1, (1 << bit) + 5]);
         let rim = (0..1 << 13).step_by(61);
         steps.chain(rim).flat_map(|step: u32| [step, !step, step ^ 0x8000_0000, step ^ 0x7fff_ffff])
+    }
+
+    /// In f64 the centre of a cell is exact.
+    #[test]
+    fn centres_are_rounded_as_they_say() {
+        for k in words().chain((0..1 << 20).map(|i: u32| i.wrapping_mul(0x9e37_79b1))) {
+            let exact = (f64::from(k) + 0.5) / 4_294_967_296.0;
+            let nearest = exact as f32;
+            let down = if f64::from(nearest) > exact { nearest.next_down() } else { nearest };
+            assert_eq!([centre_nearest(k), centre_down(k)], [nearest, down], "{k:x}");
+        }
     }
 
     /// Both forms are compiled everywhere, though a target takes one of them.

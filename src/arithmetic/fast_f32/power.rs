@@ -1,12 +1,9 @@
 //! The power lobe of fast f32: the exponent prepared, and the lift.
 
-use super::FastF32;
 use super::disc::{BRANCHES, FastDisc, root_to_1};
 use super::functions::{Functions, LN_MIN, exp, ln_complement};
 use crate::arithmetic::{Arithmetic, PowerExponent};
 use crate::error::Error;
-use crate::map::DiscMap;
-use crate::sequence::{BLOCK, Block};
 
 /// An exponent e > -1 with what the power lobe needs of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +33,12 @@ impl FastExponent {
         Ok(Self { exact, rate, lost, shrink })
     }
 
+    /// sin theta from sin^2 theta 4^k.
+    #[inline(always)]
+    pub(super) const fn distance(self, square: f32) -> f32 {
+        root_to_1(square) * self.shrink
+    }
+
     /// The exponent as the user gave it.
     pub fn value(self) -> f32 {
         self.exact.value()
@@ -45,7 +48,7 @@ impl FastExponent {
 #[inline(always)]
 pub(super) const fn lift(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
     let [square, z] = elevation(exponent, ln_complement(disc.r2, disc.rim));
-    let [x, y] = disc.place_at::<BRANCHES>(root_to_1(square) * exponent.shrink);
+    let [x, y] = disc.place_at::<BRANCHES>(exponent.distance(square));
     [x, y, z]
 }
 
@@ -53,42 +56,11 @@ pub(super) const fn lift(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
 ///
 /// With z = exp(l), sin^2 theta = 1 - z^2 = (1 - z) (1 + z), and 1 - z is accurate near the pole.
 #[inline(always)]
-const fn elevation(exponent: FastExponent, log: f32) -> [f32; 2] {
+pub(super) const fn elevation(exponent: FastExponent, log: f32) -> [f32; 2] {
     let log = log * exponent.rate;
     // Below e = 0 the true z leaves the range of the type in the last cells.
     let log = if log > LN_MIN { log } else { LN_MIN };
     let [z, gap] = exp(log, exponent.lost);
     let z = if z > f32::MIN_POSITIVE { z } else { f32::MIN_POSITIVE };
     [gap * (1.0 + z), z]
-}
-
-/// [`lift`] in passes over the block. The chain of one point is 60 operations long, so that a single
-/// loop waits for results: on x86-64 the passes are 1.4 to 1.6 times as fast, though the octant is formed
-/// in the first and again in the last.
-#[inline(always)]
-pub(super) fn lift_block<D: DiscMap<Arithmetic = FastF32>>(
-    exponent: FastExponent,
-    disc: &D,
-    u: &Block,
-    v: &Block,
-    out: &mut [[f32; 3]; BLOCK],
-) {
-    let (mut logs, mut sines, mut cosines) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
-    for (log, (u, v)) in logs.iter_mut().zip(u.iter().zip(v)) {
-        let disc = disc.disc::<true>([*u, *v]);
-        *log = ln_complement(disc.r2, disc.rim);
-    }
-    for ((square, cos), log) in sines.iter_mut().zip(&mut cosines).zip(&logs) {
-        [*square, *cos] = elevation(exponent, *log);
-    }
-    for sin in &mut sines {
-        *sin = root_to_1(*sin) * exponent.shrink;
-    }
-    let elevations = sines.iter().zip(&cosines);
-    for ((slot, (sin, cos)), (u, v)) in out.iter_mut().zip(elevations).zip(u.iter().zip(v)) {
-        let [x, y] = disc.disc::<false>([*u, *v]).place_at::<BRANCHES>(*sin);
-        slot[0] = x;
-        slot[1] = y;
-        slot[2] = *cos;
-    }
 }

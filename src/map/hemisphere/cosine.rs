@@ -9,4 +9,4 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CosineLobe<A>(pub(super) PhantomData<A>);
 
-lobe!(CosineLobe, cosine, lower_cosine, cosine_density);
+lobe!(CosineLobe, cosine, cosine_block, lower_cosine, cosine_density);

@@ -24,4 +24,4 @@ impl<A: Arithmetic> PowerLobe<A> {
     }
 }
 
-lobe!(PowerLobe, power, lower_power, power_density, exponent, power_block);
+lobe!(PowerLobe, power, power_block, lower_power, power_density, exponent);

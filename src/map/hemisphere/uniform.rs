@@ -8,4 +8,4 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct UniformLobe<A>(pub(super) PhantomData<A>);
 
-lobe!(UniformLobe, uniform, lower_uniform, uniform_density);
+lobe!(UniformLobe, uniform, uniform_block, lower_uniform, uniform_density);

@@ -1,0 +1,103 @@
+//! How fast buffers fill: every sequence, every map of every arithmetic, both fused, and the peers.
+//!
+//! ```text
+//! cargo bench --bench throughput                       criterion's timings, then the tables of ratios
+//! cargo bench --bench throughput -- --ratios           the tables alone, in a minute
+//! cargo bench --bench throughput -- --ratios --merge   the same, the shortest of this run and those before
+//! cargo bench --bench throughput -- FILTER ...         criterion alone, with its own arguments
+//! ```
+//!
+//! The tables are Markdown on standard output: ratios of the shortest times of rounds that interleave all fills, in one
+//! process. With `RUSTFLAGS="-C target-cpu=native"` it is another build, with a column of its own beside the baseline's.
+//! `--test` does everything once, to see that it works.
+//!
+//! `fills` says what is timed; `sequences`, `maps`, `fused` and `peers` are its families, `textbook` has the peers'
+//! formulas. `timings` is criterion's part. `rounds` interleaves; `targets` and `linear` are rounds of their own;
+//! `report` keeps what was measured, and `table` prints it.
+
+mod fills;
+mod fused;
+mod linear;
+mod maps;
+mod peers;
+mod report;
+mod rounds;
+mod sequences;
+mod table;
+mod targets;
+mod textbook;
+mod timings;
+
+use fills::{Coordinates, LARGE, SMALL};
+use report::{Build, Report};
+use std::error::Error;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+type Failure = Box<dyn Error>;
+
+/// What to do.
+struct Arguments {
+    timings: bool,
+    ratios: bool,
+    merge: bool,
+    /// Everything once.
+    test: bool,
+}
+
+impl Arguments {
+    fn new(given: &[String]) -> Result<Self, String> {
+        let has = |name: &str| given.iter().any(|argument| argument == name);
+        // `cargo bench` says so; criterion takes anything else for a test as well.
+        let test = has("--test") || !has("--bench");
+        let mut others =
+            given.iter().filter(|given| !["--bench", "--test"].contains(&given.as_str()));
+        if !has("--ratios") {
+            let alone = others.next().is_none();
+            return Ok(Self { timings: true, ratios: alone, merge: false, test });
+        }
+        match others.find(|given| !["--ratios", "--merge"].contains(&given.as_str())) {
+            Some(other) => Err(format!("`{other}`: beside --ratios there are --merge and --test")),
+            None => Ok(Self { timings: false, ratios: true, merge: has("--merge"), test }),
+        }
+    }
+}
+
+fn main() -> ExitCode {
+    let given: Vec<_> = std::env::args().skip(1).collect();
+    let (status, message) = match Arguments::new(&given) {
+        Ok(arguments) => match run(&arguments) {
+            Ok(()) => return ExitCode::SUCCESS,
+            Err(error) => (1, error.to_string()),
+        },
+        Err(message) => (2, message),
+    };
+    // There is nowhere to say that this could not be written.
+    let _ = writeln!(io::stderr(), "error: {message}");
+    ExitCode::from(status)
+}
+
+fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let coordinates = Coordinates::new(LARGE);
+    if arguments.timings {
+        timings::run(&coordinates)?;
+    }
+    if arguments.ratios {
+        let ([small, large], name) =
+            if arguments.test { ([1, 1], "test.json") } else { ([60, 30], "report.json") };
+        let mut measured = rounds::at_sizes(&coordinates, &[SMALL], small, |_| true)?;
+        measured.extend(targets::run(&coordinates, large)?);
+        measured.extend(linear::run(&coordinates, large)?);
+        let mut report = Report::read(name)?;
+        report.take(Build::new(small, measured), arguments.merge);
+        report.write(name)?;
+        io::stdout().write_all(table::whole(&report).as_bytes())?;
+    }
+    Ok(())
+}
+
+/// An error with the file that it is of.
+fn failed(path: &Path, error: &dyn Error) -> Failure {
+    format!("{}: {error}", path.display()).into()
+}
