@@ -12,7 +12,7 @@ use std::ops::Range;
 use std::time::Instant;
 
 /// Samples of a pixel that are summed as floats, and then rounded; the last pass of a frame may have fewer.
-pub(crate) const PASS: u32 = 8;
+const PASS: u32 = 8;
 
 const _: () = assert!((u16::MAX as u32).div_ceil(PASS) <= MOST_PASSES);
 

@@ -6,10 +6,10 @@
 //! cargo run --release --example shard -- merge 0.part 1.part 2.part 3.part --out still-life.png
 //! ```
 //!
-//! `arguments` reads the command line. A `job` is what is computed: the `set` of points asked for, which
-//! `point_set` makes and `number` writes, or a `rendering` of the scene asked for. `cover` says which range of it a shard has, and whether ranges make up the
-//! whole. `part` is the file of a shard, `run` computes one or all of them and `merge` puts them together. What makes
-//! a frame is that of the example `render`, whose picture has the same bytes.
+//! `arguments` reads the command line. A `job` is what is computed: the `set` of points asked for, which `point_set`
+//! makes and `number` writes, or a `rendering` of the scene asked for. `cover` says which range of it a shard has, and
+//! whether ranges make up the whole. `part` is the file of a shard, `run` computes one or all of them and `merge` puts
+//! them together. What makes a frame is that of the example `render`, whose picture has the same bytes.
 
 mod arguments;
 #[path = "../render/assembly.rs"]
