@@ -39,7 +39,7 @@ pub(crate) struct Coordinates(Vec<[u32; 2]>);
 impl Coordinates {
     /// Enough for every fill of at most `points` points.
     pub(crate) fn new(points: usize) -> Self {
-        let mut rng = generator();
+        let mut rng = generator(points);
         let pairs = std::iter::repeat_with(|| [rng.next_u32(), rng.next_u32()]);
         Self(pairs.take(candidates(points)).collect())
     }
@@ -56,8 +56,9 @@ pub(crate) const fn candidates(points: usize) -> usize {
     points + points / 2
 }
 
-pub(crate) fn generator() -> Xoshiro128PlusPlus {
-    Xoshiro128PlusPlus::seed_from_u64(SEED.into())
+/// Other words for each size of buffer: of the same ones in two buffers, the second would find the branches learned.
+pub(crate) fn generator(points: usize) -> Xoshiro128PlusPlus {
+    Xoshiro128PlusPlus::seed_from_u64(u64::from(SEED) + points as u64)
 }
 
 /// Visits every fill of that many points, a multiple of 64.

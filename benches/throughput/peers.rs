@@ -101,11 +101,11 @@ pub(crate) fn every<'a>(
 ) {
     formulas(coordinates, points, visitor);
 
-    let mut rng = generator();
+    let mut rng = generator(points);
     drawn(visitor, "sequence/-/xoshiro128++", points, move |_| [rng.next_u32(), rng.next_u32()]);
-    let mut rng = generator();
+    let mut rng = generator(points);
     drawn(visitor, "disc/-/rand_distr", points, move |_| -> [f32; 2] { UnitDisc.sample(&mut rng) });
-    let mut rng = generator();
+    let mut rng = generator(points);
     let sphere = move |_| -> [f32; 3] { UnitSphere.sample(&mut rng) };
     drawn(visitor, "uniform/-/rand_distr", points, sphere);
 

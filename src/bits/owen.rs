@@ -25,17 +25,6 @@ pub const fn scramble(x: u32, seed: u32) -> u32 {
     scramble_reversed(x.reverse_bits(), seed).reverse_bits()
 }
 
-/// The numbers below 64, their six bits reversed.
-const REVERSED: [u16; 64] = {
-    let mut reversed = [0; 64];
-    let mut low = 0;
-    while low < 64 {
-        reversed[low] = (low as u16).reverse_bits() >> 10;
-        low += 1;
-    }
-    reversed
-};
-
 /// The six low bits of what [`scramble`] makes of 64 numbers, the first a multiple of 64; the others they have in
 /// common.
 ///
@@ -57,7 +46,10 @@ pub(crate) fn scramble_low(first: u32, seed: u32) -> [u16; 64] {
     let p1 = x.wrapping_mul(MULTIPLIERS[1]);
     let p2 = ((x ^ p1) & LOWER).wrapping_mul(MULTIPLIERS[2]);
 
-    let mut places = REVERSED;
+    let mut places = [0; 64];
+    for (place, low) in places.iter_mut().zip(0_u16..) {
+        *place = (low << 10).reverse_bits();
+    }
     for place in &mut places {
         let mut x = *place;
         x ^= x.wrapping_mul(m0).wrapping_add(carried(p0));
