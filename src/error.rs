@@ -168,7 +168,10 @@ impl fmt::Display for Error {
             ),
             Self::NoDraws => f.write_str("a limit of 0 draws a point; accepted: at least 1"),
             Self::Radius { value } => {
-                write!(f, "radius is {value}; accepted: a finite number, at least 0, of a finite square")
+                write!(
+                    f,
+                    "radius is {value}; accepted: a finite number, at least 0, of a finite square"
+                )
             }
             Self::Position { value } => {
                 write!(

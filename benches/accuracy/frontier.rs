@@ -23,9 +23,8 @@ pub fn marks<'a>(rows: &[&'a Row], machine: &str) -> Vec<Mark<'a>> {
         let board = row.boards.get(machine).map(|board| board.instructions_per_point);
         board.or((machine == HOST).then_some(row.host))
     };
-    let mark = |row: &&'a Row| {
-        Some(Mark { cost: cost(row)?, error: row.position.max * row.unit, row })
-    };
+    let mark =
+        |row: &&'a Row| Some(Mark { cost: cost(row)?, error: row.position.max * row.unit, row });
     rows.iter().filter_map(mark).collect()
 }
 
