@@ -31,7 +31,7 @@ pub(crate) trait Visitor<'a> {
 
 /// One fill after another takes the next of as many ranges of points: a processor learns 4096 random coordinates
 /// by heart, and then predicts branches that no renderer's would.
-pub(crate) const WINDOWS: usize = 4;
+pub(crate) const WINDOWS: usize = 16;
 
 /// Random coordinates.
 pub(crate) struct Coordinates(Vec<[u32; 2]>);

@@ -84,11 +84,11 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         timings::run(&coordinates)?;
     }
     if arguments.ratios {
-        let ([small, large], name) =
-            if arguments.test { ([1, 1], "test.json") } else { ([60, 30], "report.json") };
+        let name = if arguments.test { "test.json" } else { "report.json" };
+        let [small, large, sizes] = if arguments.test { [1; 3] } else { [30, 30, 12] };
         let mut measured = rounds::at_sizes(&coordinates, &[SMALL], small, |_| true)?;
         measured.extend(targets::run(&coordinates, large)?);
-        measured.extend(linear::run(&coordinates, large)?);
+        measured.extend(linear::run(&coordinates, sizes)?);
         let mut report = Report::read(name)?;
         report.take(Build::new(small, measured), arguments.merge);
         report.write(name)?;
