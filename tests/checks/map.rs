@@ -1,9 +1,10 @@
 //! Every map in every arithmetic at raw coordinates and exponents: the invariants in exact arithmetic, symmetry,
-//! inverse, density and accuracy within the contracts; every arithmetic against every other; the square and
-//! rejection.
+//! inverse, density and accuracy within the contracts; every arithmetic against every other; the square,
+//! rejection, and draws by chance.
 
 use super::agreement;
 use super::arithmetics::{EachArithmetic, Number, Tested, every_arithmetic};
+use super::draws::Draws;
 use super::promises::{AtSample, Total};
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::disc::Rejection;
@@ -19,10 +20,11 @@ struct Input {
     bits: u64,
     /// A point or direction that may be none.
     numbers: [f64; 3],
+    draws: Draws,
 }
 
 pub fn check(data: &[u8]) -> arbitrary::Result<()> {
-    let Input { uv, exponent, bits, numbers } = Unstructured::new(data).arbitrary()?;
+    let Input { uv, exponent, bits, numbers, mut draws } = Unstructured::new(data).arbitrary()?;
     let accepted = exponent > -1.0 && exponent.is_finite();
     assert_eq!(Power::<LibmF32>::new(exponent).is_ok(), accepted, "{exponent}");
     let exponent = if accepted { exponent } else { 0.0 };
@@ -30,6 +32,7 @@ pub fn check(data: &[u8]) -> arbitrary::Result<()> {
     every_arithmetic(&mut Total { numbers, exponent: exponent.into() });
     every_arithmetic(&mut Square { uv });
     agreement::check(uv, exponent);
+    every_arithmetic(&mut draws);
     Ok(())
 }
 
