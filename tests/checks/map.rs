@@ -59,9 +59,15 @@ impl EachArithmetic for Square {
         assert_eq!(square.sample(square.invert(point)), point, "{name} {uv:08x?}: inverse");
         assert_eq!(square.density(point).exact(), A::Real::nearest(1.0).exact(), "{name}");
 
-        let centred = uv.map(|k| (2.0 * f64::from(k) + 1.0) * 0.5_f64.powi(32) - 1.0);
+        let centred = |k: u32| (2.0 * f64::from(k) + 1.0) * 0.5_f64.powi(32) - 1.0;
+        let exactly = |uv: [u32; 2]| in_unit_disc(uv.map(centred));
         let inside = Rejection::<A>::inside(uv);
-        assert_eq!(inside, in_unit_disc(centred), "{uv:08x?}");
+        assert_eq!(inside, exactly(uv), "{uv:08x?}");
+        // The two coordinates on either side of the circle.
+        let edge = (1.0 - centred(uv[0]).powi(2)).sqrt() * 2_147_483_648.0;
+        for v in [0, 1, 2].map(|n| 0x7fff_ffff + (edge as u32).min(0x7fff_fffe) + n) {
+            assert_eq!(Rejection::<A>::inside([uv[0], v]), exactly([uv[0], v]), "{uv:08x?}");
+        }
         let kept = Rejection::<A>::sample(uv);
         assert_eq!(kept.is_some(), inside);
         if let Some(point) = kept {

@@ -81,6 +81,12 @@ fn operations<S: Sequence>(sequence: S, input: &Input) {
     let refused = Error::Range { start: input.start, count, len };
     made.as_ref().err().into_iter().for_each(assert_clear);
     assert_eq!(made.map(|points| points.len()), if fits { Ok(count) } else { Err(refused) });
+    let left = len - u64::from(start);
+    for (count, fits) in [(left, true), (left + 1, false)] {
+        if let Ok(count) = u32::try_from(count) {
+            assert_eq!(Points::of_range(sequence, map, start, count).is_ok(), fits, "{input:x?}");
+        }
+    }
 }
 
 /// Every map of an arithmetic: buffers that are filled by blocks, and by components.

@@ -1,7 +1,7 @@
 //! Mutation: each fault of `list.rs`, one line of `src`, is put in alone and must be caught by the tests that the list names.
 //!
-//! A plain run only checks that the list still fits the source. To put the faults in, in a copy of the tree (a minute
-//! each, or so), all of them or those whose text contains a word:
+//! A plain run only checks that the list still fits the source. To put the faults in, in a copy of the tree, all of them
+//! or those whose text contains a word:
 //!
 //!     HEMIDISC_FAULTS=all cargo test --test faults -- --nocapture
 //!     HEMIDISC_FAULTS=rounding cargo test --test faults -- --nocapture
@@ -79,6 +79,8 @@ fn failures(tree: &Path, fault: &Fault) -> BTreeSet<String> {
         let mut cargo = Command::new("cargo");
         cargo.current_dir(tree).args(["test", "--all-features", "--no-fail-fast", "--test", file]);
         cargo.args(["--target-dir", "../build"]).env_remove("HEMIDISC_FAULTS");
+        // Built a few dozen times and run once each.
+        cargo.envs([("CARGO_PROFILE_TEST_OPT_LEVEL", "0"), ("CARGO_PROFILE_TEST_DEBUG", "0")]);
         let output = cargo.output().unwrap();
         let text = String::from_utf8_lossy(&output.stdout);
         // A fault that does not compile would be caught by anything.
