@@ -81,6 +81,9 @@ fn operations<S: Sequence>(sequence: S, input: &Input) {
     let refused = Error::Range { start: input.start, count, len };
     made.as_ref().err().into_iter().for_each(assert_clear);
     assert_eq!(made.map(|points| points.len()), if fits { Ok(count) } else { Err(refused) });
+    let one = Points::of_range(sequence, map, start, 1).unwrap();
+    let refused = [one.shard(count, count).err(), one.to_array::<2>().err(), one.range(1, 1).err()];
+    refused.into_iter().for_each(|error| assert_clear(&error.unwrap()));
     let left = len - u64::from(start);
     for (count, fits) in [(left, true), (left + 1, false)] {
         if let Ok(count) = u32::try_from(count) {

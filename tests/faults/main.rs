@@ -3,7 +3,7 @@
 //! A plain run only checks that the list still fits the source. To put the faults in, in a copy of the tree, all of them
 //! or those whose text contains a word:
 //!
-//!     HEMIDISC_FAULTS=all cargo test --test faults -- --nocapture
+//!     bash .ci/run faults
 //!     HEMIDISC_FAULTS=rounding cargo test --test faults -- --nocapture
 
 mod list;
