@@ -2,6 +2,7 @@
 //! other.
 
 use super::arithmetics::Tested;
+use super::convert::assert_clear;
 use super::orthonormal::{LARGEST, deviation, dot};
 use super::roots::{EachRoot, eps, every_root, nearest, wide};
 use arbitrary::{Arbitrary, Unstructured};
@@ -53,7 +54,8 @@ impl EachRoot for In<'_> {
                 assert_eq!(frame.axes()[2], vector);
                 self.turns::<A>(frame);
             }
-            Err(Error::NotUnit { length_squared }) => {
+            Err(error @ Error::NotUnit { length_squared }) => {
+                assert_clear(&error);
                 // Not a number is none too.
                 let near = (length_squared - 1.0).abs() <= 32.0 * eps::<A::Real>();
                 assert!(!near, "{} {vector:?}", A::NAME);
@@ -76,6 +78,7 @@ impl EachRoot for In<'_> {
                 self.turns::<A>(frame);
             }
             Err(error) => {
+                assert_clear(&error);
                 assert_eq!((error, has_direction), (Error::NoDirection, false), "{vector:?}");
             }
         }

@@ -1,9 +1,10 @@
 //! Every map in every arithmetic at raw coordinates and exponents: the invariants in exact arithmetic, symmetry,
-//! inverse, density and accuracy within the contracts; every arithmetic against every other; the square and
-//! rejection.
+//! inverse, density and accuracy within the contracts; every arithmetic against every other; the square,
+//! rejection, and draws by chance.
 
 use super::agreement;
 use super::arithmetics::{EachArithmetic, Number, Tested, every_arithmetic};
+use super::draws::Draws;
 use super::promises::{AtSample, Total};
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::disc::Rejection;
@@ -19,10 +20,11 @@ struct Input {
     bits: u64,
     /// A point or direction that may be none.
     numbers: [f64; 3],
+    draws: Draws,
 }
 
 pub fn check(data: &[u8]) -> arbitrary::Result<()> {
-    let Input { uv, exponent, bits, numbers } = Unstructured::new(data).arbitrary()?;
+    let Input { uv, exponent, bits, numbers, mut draws } = Unstructured::new(data).arbitrary()?;
     let accepted = exponent > -1.0 && exponent.is_finite();
     assert_eq!(Power::<LibmF32>::new(exponent).is_ok(), accepted, "{exponent}");
     let exponent = if accepted { exponent } else { 0.0 };
@@ -30,6 +32,7 @@ pub fn check(data: &[u8]) -> arbitrary::Result<()> {
     every_arithmetic(&mut Total { numbers, exponent: exponent.into() });
     every_arithmetic(&mut Square { uv });
     agreement::check(uv, exponent);
+    every_arithmetic(&mut draws);
     Ok(())
 }
 
@@ -56,9 +59,15 @@ impl EachArithmetic for Square {
         assert_eq!(square.sample(square.invert(point)), point, "{name} {uv:08x?}: inverse");
         assert_eq!(square.density(point).exact(), A::Real::nearest(1.0).exact(), "{name}");
 
-        let centred = uv.map(|k| (2.0 * f64::from(k) + 1.0) * 0.5_f64.powi(32) - 1.0);
+        let centred = |k: u32| (2.0 * f64::from(k) + 1.0) * 0.5_f64.powi(32) - 1.0;
+        let exactly = |uv: [u32; 2]| in_unit_disc(uv.map(centred));
         let inside = Rejection::<A>::inside(uv);
-        assert_eq!(inside, in_unit_disc(centred), "{uv:08x?}");
+        assert_eq!(inside, exactly(uv), "{uv:08x?}");
+        // The two coordinates on either side of the circle.
+        let edge = (1.0 - centred(uv[0]).powi(2)).sqrt() * 2_147_483_648.0;
+        for v in [0, 1, 2].map(|n| 0x7fff_ffff + (edge as u32).min(0x7fff_fffe) + n) {
+            assert_eq!(Rejection::<A>::inside([uv[0], v]), exactly([uv[0], v]), "{uv:08x?}");
+        }
         let kept = Rejection::<A>::sample(uv);
         assert_eq!(kept.is_some(), inside);
         if let Some(point) = kept {

@@ -18,6 +18,7 @@ mod tracer;
 mod agreement;
 pub mod convert;
 pub mod domain;
+mod draws;
 pub mod effects;
 pub mod frame;
 pub mod map;

@@ -134,14 +134,14 @@ pub fn slice<S: Sequence, M: Map>(sequence: S, map: M, start: u32, count: u32) -
     (0..count).map(|i| map.sample(sequence.point(start.wrapping_add(i)))).collect()
 }
 
-/// The operations on up to 500 points from an index of a sequence.
+/// The operations on up to `longest` points from an index of a sequence.
 pub fn check_range<S: Sequence, M: Map<Point: PartialEq + Debug>>(
     sequence: S,
     map: M,
-    start: u32,
+    [start, longest]: [u32; 2],
     ops: &[Op],
 ) {
-    let count = 500.min(sequence.size().map_or(u32::MAX - start, |size| size - start));
+    let count = longest.min(sequence.size().map_or(u32::MAX - start, |size| size - start));
     let points = Points::of_range(sequence, map, start, count).unwrap();
     check_against(points, &slice(sequence, map, start, count), ops);
 }

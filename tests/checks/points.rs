@@ -2,6 +2,7 @@
 //! the same operations on a slice of all points give; and `fill` gives what `next` does in every map and arithmetic.
 
 use super::arithmetics::{EachArithmetic, Exponent, Tested, every_arithmetic};
+use super::convert::assert_clear;
 use super::errors::{EachMap, each_map, each_power_map};
 use super::model::{Op, check_range};
 use arbitrary::{Arbitrary, Unstructured};
@@ -65,17 +66,30 @@ pub fn check(data: &[u8]) -> arbitrary::Result<()> {
     Ok(())
 }
 
+/// Points of a set: some before a block, a block or two, and some after.
+const LONGEST: u32 = 150;
+
 fn operations<S: Sequence>(sequence: S, input: &Input) {
     let start = input.start % sequence.size().unwrap_or(u32::MAX);
     let map = Concentric::<LibmF32>::new();
-    check_range(sequence, map, start, &input.ops);
+    check_range(sequence, map, [start, LONGEST], &input.ops);
     // Ranges that do not fit are refused.
     let [count, _] = input.lengths.map(u32::from);
     let len = sequence.size().map_or(1 << 32, u64::from);
     let fits = u64::from(input.start) + u64::from(count) <= len;
     let made = Points::of_range(sequence, map, input.start, count);
     let refused = Error::Range { start: input.start, count, len };
+    made.as_ref().err().into_iter().for_each(assert_clear);
     assert_eq!(made.map(|points| points.len()), if fits { Ok(count) } else { Err(refused) });
+    let one = Points::of_range(sequence, map, start, 1).unwrap();
+    let refused = [one.shard(count, count).err(), one.to_array::<2>().err(), one.range(1, 1).err()];
+    refused.into_iter().for_each(|error| assert_clear(&error.unwrap()));
+    let left = len - u64::from(start);
+    for (count, fits) in [(left, true), (left + 1, false)] {
+        if let Ok(count) = u32::try_from(count) {
+            assert_eq!(Points::of_range(sequence, map, start, count).is_ok(), fits, "{input:x?}");
+        }
+    }
 }
 
 /// Every map of an arithmetic: buffers that are filled by blocks, and by components.

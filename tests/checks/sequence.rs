@@ -1,5 +1,6 @@
 //! Every sequence, of any parameters and seed: its promise, and that random access, iteration and blocks agree.
 
+use super::convert::assert_clear;
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::sequence::{
     Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sequence,
@@ -83,7 +84,10 @@ pub fn check(data: &[u8]) -> arbitrary::Result<()> {
                 let index = input.indices[0];
                 assert_eq!(stored.at(index), input.stored[index as usize % input.stored.len()]);
             }
-            Err(error) => assert_eq!((error, input.stored.len()), (Error::EmptySet, 0)),
+            Err(error) => {
+                assert_clear(&error);
+                assert_eq!((error, input.stored.len()), (Error::EmptySet, 0));
+            }
         },
         Kind::ShuffledSet => grid(&input, Correlated::new(m, n, seed), |input, set| {
             let shuffled = Shuffled::new(*set, Domain::new(seed ^ input.start));
@@ -131,7 +135,10 @@ fn set<S: Sequence>(input: &Input, made: Result<S, Error>, promise: impl Fn(&Inp
             access(input, set);
             promise(input, &set);
         }
-        Err(error) => assert_eq!((error, count), (Error::EmptySet, 0)),
+        Err(error) => {
+            assert_clear(&error);
+            assert_eq!((error, count), (Error::EmptySet, 0));
+        }
     }
 }
 
@@ -139,6 +146,7 @@ fn set<S: Sequence>(input: &Input, made: Result<S, Error>, promise: impl Fn(&Inp
 fn grid<S: Sequence>(input: &Input, made: Result<S, Error>, promise: impl Fn(&Input, &S)) {
     let [columns, rows] = input.shape;
     let size = u64::from(columns) * u64::from(rows);
+    made.as_ref().err().into_iter().for_each(assert_clear);
     match made {
         Ok(set) => {
             assert_eq!(set.size().map(u64::from), Some(size));

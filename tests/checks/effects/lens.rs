@@ -19,6 +19,9 @@ pub fn lens<A: Root<Real: Real> + Tested>(input: &Input) {
     match made {
         Ok(lens) => {
             assert!(radius_is_good && distance_is_good, "{r:e} {f:e}");
+            let slope = A::Real::nearest(r / f * (1.0 - 4.0 * eps::<A::Real>()));
+            // As near as a number goes is as near as it is taken to be.
+            assert!(slope.finite() || !A::Real::nearest(1.0 / f).finite(), "{r:e} / {f:e}");
             rays::<A, _>(lens, input);
             let polar = ThinLens::new(Polar::<A>::new(), radius, focus).unwrap();
             rays::<A, _>(polar, input);
