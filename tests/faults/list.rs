@@ -92,7 +92,7 @@ pub const FAULTS: &[Fault] = &[
         ["if !(square >= A::Real::MIN_POSITIVE && square.finite()) {", "if !(square > A::Real::ZERO && square.finite()) {"],
         &["corpus::effects"]),
     fault("sign: a light shines backward", "effect/disc_light.rs",
-        ["let cosine = -dot(direction, self.frame.axes()[2]);", "let cosine = dot(direction, self.frame.axes()[2]);"],
+        ["let weight = self.shining(self.height(receiver) / distance) / square;", "let weight = self.shining(-self.height(receiver) / distance) / square;"],
         &["corpus::effects"]),
     fault("missing flip: a glossy sample stays below the horizon", "effect/glossy.rs",
         ["if height < A::Real::ZERO {", "if height > A::Real::ONE {"],
