@@ -56,11 +56,11 @@ fn every_fault_is_caught() {
 /// What the tests need, where a fault harms nothing.
 fn copy_of_the_tree() -> PathBuf {
     let tree = root().join("target/faults/tree");
-    let needed =
-        ["Cargo.toml", "Cargo.lock", "README.md", "CHANGELOG.md", "src", "tests", "examples"];
+    let needed = ["Cargo.toml", "Cargo.lock", "README.md", "CHANGELOG.md", "docs"];
+    let sources = ["src", "tests", "examples", "benches"];
     fs::create_dir_all(tree.join("fuzz")).unwrap();
     let fuzz = ["fuzz/corpus", "fuzz/fuzz_targets", "fuzz/Cargo.toml", "fuzz/hard.dict"];
-    for name in needed.into_iter().chain(fuzz) {
+    for name in needed.into_iter().chain(sources).chain(fuzz) {
         let into = tree.join(name);
         let _ = fs::remove_dir_all(&into);
         let copied =
