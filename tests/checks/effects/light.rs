@@ -112,7 +112,10 @@ fn is_exact<A: Root<Real: Real> + Tested>(
     // The light's plane is as thick as coordinates round.
     let [centre, receiver] = [input.centre, input.receiver].map(|v| wide(nearest::<A, 3>(v)));
     let sizes = [0, 1, 2].map(|i| centre[i].abs() + receiver[i].abs());
-    let thick = 16.0 * eps::<A::Real>() * dot(sizes, wide(normal).map(f64::abs)) / square.sqrt();
+    let [radius] = wide(nearest::<A, 1>([input.radius]));
+    // A point of it is as far off as its own coordinates round.
+    let size = dot(sizes, wide(normal).map(f64::abs)) + radius;
+    let thick = 16.0 * eps::<A::Real>() * size / square.sqrt();
     let [weight] = wide([sample.weight]);
     let exact = if weight > 0.0 { cosine.abs() } else { cosine.min(0.0) } / square;
     let room = (16.0 * A::DENSITY_ERROR + thick) / square + smallest;
