@@ -7,9 +7,9 @@
 //! cargo bench --bench throughput -- FILTER ...         criterion alone, with its own arguments
 //! ```
 //!
-//! The tables are Markdown on standard output: ratios of the shortest times of rounds that interleave all fills, in one
-//! process. With `RUSTFLAGS="-C target-cpu=native"` it is another build, with a column of its own beside the baseline's.
-//! `--test` does everything once, to see that it works.
+//! The tables are Markdown on standard output: ratios of the shortest times of rounds that interleave all fills, in
+//! one process. With `RUSTFLAGS="-C target-cpu=native"` it is another build, whose figures stand beside the
+//! baseline's. `--test` does everything once, to see that it works.
 //!
 //! `fills` says what is timed; `sequences`, `maps`, `fused` and `peers` are its families, `textbook` has the peers'
 //! formulas. `timings` is criterion's part. `rounds` interleaves; `targets` and `linear` are rounds of their own;
@@ -86,10 +86,10 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.ratios {
         let name = if arguments.test { "test.json" } else { "report.json" };
         let [small, large, sizes] = if arguments.test { [1; 3] } else { [30, 30, 12] };
+        let mut report = Report::read(name)?;
         let mut measured = rounds::at_sizes(&coordinates, &[SMALL], small, |_| true)?;
         measured.extend(targets::run(&coordinates, large)?);
         measured.extend(linear::run(&coordinates, sizes)?);
-        let mut report = Report::read(name)?;
         report.take(Build::new(small, measured), arguments.merge);
         report.write(name)?;
         io::stdout().write_all(table::whole(&report).as_bytes())?;

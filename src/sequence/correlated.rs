@@ -85,6 +85,7 @@ impl Sequence for Correlated {
         self.at(index)
     }
 
+    /// A round of the permutations for all at a time.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         let Self { grid, fine, .. } = *self;

@@ -89,6 +89,7 @@ impl Sequence for MultiJittered {
 
     walks!();
 
+    /// A round of the permutations for all at a time.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         let Self { grid, fine, .. } = *self;

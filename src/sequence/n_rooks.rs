@@ -75,6 +75,7 @@ impl Sequence for NRooks {
 
     walks!();
 
+    /// A round of the permutation for all at a time.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         let Self { strata, rows, jitter } = *self;
