@@ -19,7 +19,7 @@ pub fn lens<A: Root<Real: Real> + Tested>(input: &Input) {
     match made {
         Ok(lens) => {
             assert!(radius_is_good && distance_is_good, "{r:e} {f:e}");
-            let slope = A::Real::nearest(r / f * (1.0 - 4.0 * eps::<A::Real>()));
+            let slope = A::Real::nearest(r * (1.0 - 4.0 * eps::<A::Real>()) / f);
             // As near as a number goes is as near as it is taken to be.
             assert!(slope.finite() || !A::Real::nearest(1.0 / f).finite(), "{r:e} / {f:e}");
             rays::<A, _>(lens, input);
