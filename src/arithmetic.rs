@@ -17,7 +17,7 @@
 //! What each costs, and what its points are good to: of a panel's marks, those on the line are not beaten by another
 //! in both. `docs/accuracy.md` has the figures, and says which to use.
 //!
-#![doc = include_str!("../docs/pareto.svg")]
+#![doc = include_str!("../docs/accuracy/pareto.svg")]
 
 use crate::error::Error;
 use crate::map::DiscMap;

@@ -4,7 +4,7 @@
 //! ```text
 //! cargo bench --bench accuracy                  writes target/accuracy/{report.json, report.md, pareto.svg}
 //! cargo bench --bench accuracy -- --check       and compares the accuracy columns with docs/accuracy.md
-//! cargo bench --bench accuracy -- --bless       and writes docs/accuracy.md and docs/pareto.svg
+//! cargo bench --bench accuracy -- --bless       and writes docs/accuracy.md and docs/accuracy/pareto.svg
 //! ```
 //!
 //! Instructions, flash and stack are those of `target/firmware/report.json`, which the firmware's runner writes;
@@ -44,7 +44,7 @@ struct Arguments {
     /// Compare the accuracy columns of docs/accuracy.md with those measured
     #[arg(long, conflicts_with = "bless")]
     check: bool,
-    /// Write docs/accuracy.md and docs/pareto.svg
+    /// Write docs/accuracy.md and docs/accuracy/pareto.svg
     #[arg(long)]
     bless: bool,
     /// What `cargo bench` adds
@@ -73,7 +73,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     if arguments.bless {
         report::publish(root, &table, &choices)?;
-        fs::write(root.join("docs/pareto.svg"), plot)?;
+        fs::write(root.join("docs/accuracy/pareto.svg"), plot)?;
     }
     Ok(())
 }
