@@ -7,36 +7,28 @@
 //!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --all-features --test q31 -- --nocapture
 #![cfg(feature = "fixed-point")]
 
+#[macro_use]
+#[path = "arithmetics/mod.rs"]
+mod arithmetics;
+#[path = "accuracy/errors.rs"]
+#[expect(dead_code, reason = "the accuracy tests compare with bounds")]
+mod errors;
+#[path = "accuracy/reference.rs"]
+mod reference;
+
+use arithmetics::peak;
 use hemidisc::arithmetic::{Arithmetic, FixedExponent, contract::contract};
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
 use hemidisc::invariant::{self, Exact};
 use hemidisc::sequence::Random;
 use hemidisc::{Concentric, Cosine, Map, Polar, Power, Q31, Uniform, disc::Rejection};
 use std::collections::BTreeMap;
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 const LSB: f64 = 1.0 / 2_147_483_648.0;
 const EXPONENTS: [f64; 8] = [0.0, 0.5, 1.0, 10.0, 100.0, 1e4, 1e8, 4_294_967_295.0];
 
 fn exhaustive() -> bool {
     std::env::var_os("HEMIDISC_EXHAUSTIVE").is_some()
-}
-
-/// Direction, r^2 and 1 - r^2, straight from the definition.
-fn disc(name: &str, [u, v]: [u32; 2]) -> ([f64; 2], f64, f64) {
-    let centre = |k: u32| (f64::from(k) + 0.5) / 4_294_967_296.0;
-    if name == "polar" {
-        let (sin, cos) = (TAU * centre(u)).sin_cos();
-        return ([cos, sin], centre(v), centre(!v));
-    }
-    let (a, b) = (2.0 * centre(u) - 1.0, 2.0 * centre(v) - 1.0);
-    let (r, phi) = if a.abs() >= b.abs() {
-        (a, FRAC_PI_4 * (b / a))
-    } else {
-        (b, FRAC_PI_2 - FRAC_PI_4 * (a / b))
-    };
-    let (sin, cos) = phi.sin_cos();
-    ([cos * r.signum(), sin * r.signum()], r * r, (1.0 - r.abs()) * (1.0 + r.abs()))
 }
 
 /// x, y, z, s^2 and the density as a part of its peak.
@@ -47,20 +39,12 @@ struct Reference {
 }
 
 fn reference(kind: &str, name: &str, e: f64, uv: [u32; 2]) -> Reference {
-    let ([cos, sin], r2, rim) = disc(name, uv);
-    let log = if r2 < 0.5 { (-r2).ln_1p() } else { rim.ln() };
-    let (s2, z) = match kind {
-        "disc" => (r2, 0.0),
-        "uniform" => (r2 * (1.0 + rim), rim),
-        "cosine" => (r2, rim.sqrt()),
-        _ => (-(2.0 * log / (e + 1.0)).exp_m1(), (log / (e + 1.0)).exp()),
-    };
-    let density = match kind {
-        "cosine" => z,
-        "power" => (e / (e + 1.0) * log).exp(),
-        _ => 1.0,
-    };
-    Reference { point: [s2.sqrt() * cos, s2.sqrt() * sin, z], s2, density }
+    let exact = reference::reference::<Q31>(kind, name, e, uv);
+    Reference {
+        point: [exact.x.hi, exact.y.hi, exact.z.map_or(0.0, |z| z.hi)],
+        s2: exact.s2.hi,
+        density: exact.density.hi / peak(kind, e),
+    }
 }
 
 /// The largest errors of a map, in LSBs.
@@ -363,7 +347,7 @@ fn concentric_over_random_pairs() {
             assert_eq!(point, Concentric::<Q31>::new().sample(uv));
             on_disc(point, uv);
             let [x, y] = point.map(Exact::exact);
-            let ([cos, sin], r2, _) = disc("concentric", uv);
+            let ([cos, sin], r2, _) = reference::disc::<Q31>("concentric", uv);
             let r = r2.sqrt();
             position = position.max((x - r * cos).abs()).max((y - r * sin).abs());
             norm = norm.max((x.hypot(y) - r).abs());

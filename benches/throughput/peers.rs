@@ -11,10 +11,10 @@ use rand_distr::{Distribution, UnitDisc, UnitSphere};
 use rand_xoshiro::rand_core::Rng;
 use std::hint::black_box;
 
-/// The functions of std, which are the platform's: what a renderer in C++ or Rust calls.
-struct Std;
+/// The functions of std, which are the platform's: what a renderer in C++ or Rust calls; and with `libm`'s power.
+struct Std<const LIBM_POWER: bool = false>;
 
-impl Functions for Std {
+impl<const LIBM_POWER: bool> Functions for Std<LIBM_POWER> {
     #[inline(always)]
     fn sin(x: f32) -> f32 {
         x.sin()
@@ -29,29 +29,7 @@ impl Functions for Std {
     }
     #[inline(always)]
     fn pow(x: f32, y: f32) -> f32 {
-        x.powf(y)
-    }
-}
-
-/// The same with `libm`'s power.
-struct LibmPower;
-
-impl Functions for LibmPower {
-    #[inline(always)]
-    fn sin(x: f32) -> f32 {
-        x.sin()
-    }
-    #[inline(always)]
-    fn cos(x: f32) -> f32 {
-        x.cos()
-    }
-    #[inline(always)]
-    fn sqrt(x: f32) -> f32 {
-        x.sqrt()
-    }
-    #[inline(always)]
-    fn pow(x: f32, y: f32) -> f32 {
-        libm::powf(x, y)
+        if LIBM_POWER { libm::powf(x, y) } else { x.powf(y) }
     }
 }
 
@@ -135,7 +113,7 @@ fn formulas<'a>(coordinates: &'a Coordinates, points: usize, visitor: &mut impl 
     peers.fill("uniform/-/pbrt", pbrt_uniform::<Std>);
     peers.fill("cosine/concentric/pbrt", pbrt_cosine::<Std>);
     peers.fill("power/polar/suffern", |uv| suffern_power::<Std>(EXPONENT, uv));
-    peers.fill("power/polar/suffern-libm-powf", |uv| suffern_power::<LibmPower>(EXPONENT, uv));
+    peers.fill("power/polar/suffern-libm-powf", |uv| suffern_power::<Std<true>>(EXPONENT, uv));
 }
 
 struct Formulas<'a, 'v, V> {

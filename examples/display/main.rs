@@ -21,7 +21,7 @@ mod tracer;
 use clap::Parser;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
-use messages::{one_line, say, unwritable};
+use messages::{answer, say, unwritable};
 use panel::picture::PASSES;
 use panel::scene::Objects;
 use panel::{discs, picture};
@@ -44,19 +44,7 @@ struct Arguments {
 }
 
 fn main() -> ExitCode {
-    let result = match Arguments::try_parse() {
-        Ok(arguments) => run(&arguments.out).map_err(|error| error.to_string()),
-        // Help goes to standard output and is not an error.
-        Err(help) if !help.use_stderr() => help.print().map_err(|error| error.to_string()),
-        Err(error) => Err(one_line(&error)),
-    };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("display: {message}");
-            ExitCode::from(2)
-        }
-    }
+    answer("display", |arguments: Arguments| run(&arguments.out))
 }
 
 fn run(out: &Path) -> Result<(), Box<dyn Error>> {

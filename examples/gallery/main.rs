@@ -24,7 +24,7 @@ mod table;
 
 use clap::Parser;
 use hemidisc::catalogue::SEQUENCES;
-use messages::{one_line, say, unwritable};
+use messages::{answer, say, unwritable};
 use progress::Progress;
 use sets::COUNTS;
 use std::error::Error;
@@ -41,19 +41,7 @@ struct Arguments {
 }
 
 fn main() -> ExitCode {
-    let result = match Arguments::try_parse() {
-        Ok(arguments) => run(&arguments.out).map_err(|error| error.to_string()),
-        // Help goes to standard output and is not an error.
-        Err(help) if !help.use_stderr() => help.print().map_err(|error| error.to_string()),
-        Err(error) => Err(one_line(&error)),
-    };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("gallery: {message}");
-            ExitCode::from(2)
-        }
-    }
+    answer("gallery", |arguments: Arguments| run(&arguments.out))
 }
 
 fn run(out: &Path) -> Result<(), Box<dyn Error>> {

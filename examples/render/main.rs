@@ -38,9 +38,9 @@ mod values;
 use arguments::Arguments;
 use clap::Parser;
 use effects::Effects;
-use output::Output;
+use output::{Output, say};
 use progress::Progress;
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 /// Why there is no picture.
@@ -112,14 +112,4 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
     let pixels = sums::means(&frame.sums, settings.samples.into());
     let written = output.write(|out| picture::png(out, settings.size, &pixels))?;
     say(&report.unwrap_or_else(|| format!("{written}\n")))
-}
-
-/// Prints a text; a reader that has seen enough of it (`| head`) is no error.
-fn say(text: &str) -> Result<(), Failure> {
-    match io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Failure::Output("standard output".into(), error))
-        }
-        _ => Ok(()),
-    }
 }

@@ -1,11 +1,11 @@
-//! A file that is there whole or not at all.
+//! A file that is there whole or not at all, and standard output.
 //!
 //! It is written under another name beside its own and renamed at the end, so that whoever reads it while it is
 //! written, or after a crash, finds what was there before. A device or a pipe is written as it comes.
 
 use crate::Failure;
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
@@ -91,5 +91,15 @@ impl Write for Target {
             Self::Renamed(file) => file.flush(),
             Self::Direct(file) => file.flush(),
         }
+    }
+}
+
+/// Prints a text; a reader that has seen enough of it (`| head`) is no error.
+pub(crate) fn say(text: &str) -> Result<(), Failure> {
+    match io::stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::Output("standard output".into(), error))
+        }
+        _ => Ok(()),
     }
 }

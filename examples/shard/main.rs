@@ -57,10 +57,10 @@ mod values;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
-use output::Output;
+use output::{Output, say};
 use point_set::PointSet;
 use rendering::Rendering;
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 /// Why there is no result.
@@ -109,14 +109,4 @@ fn run(command: Command, given: &[String]) -> Result<(), Failure> {
         Command::Merge { parts, out } => merge::merge(&parts, Output::create(&out)?),
     };
     say(&format!("{}\n", written?))
-}
-
-/// Prints a text; a reader that has seen enough of it (`| head`) is no error.
-fn say(text: &str) -> Result<(), Failure> {
-    match io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Failure::Output("standard output".into(), error))
-        }
-        _ => Ok(()),
-    }
 }

@@ -5,7 +5,7 @@ use super::errors::{Pair, Reference};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 /// Direction, r^2 and 1 - r^2 in f64, straight from the definition.
-fn disc<A: Tested>(name: &str, [u, v]: [u32; 2]) -> ([f64; 2], f64, f64) {
+pub fn disc<A: Tested>(name: &str, [u, v]: [u32; 2]) -> ([f64; 2], f64, f64) {
     let centre = centre::<A>;
     if name == "polar" {
         let (sin, cos) = (TAU * centre(u)).sin_cos();

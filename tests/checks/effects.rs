@@ -32,28 +32,24 @@ struct Input {
 }
 
 pub fn check(data: &[u8]) -> arbitrary::Result<()> {
-    let input: Input = Unstructured::new(data).arbitrary()?;
-    every_root(&mut In { input: &input });
+    let mut input: Input = Unstructured::new(data).arbitrary()?;
+    every_root(&mut input);
     Ok(())
 }
 
-struct In<'a> {
-    input: &'a Input,
-}
-
-impl EachRoot for In<'_> {
+impl EachRoot for Input {
     fn each<A: Root<Real: Real> + Tested>(&mut self) {
-        lens::lens::<A>(self.input);
-        lens::blades::<A, 3>(self.input);
-        lens::blades::<A, 5>(self.input);
-        lens::blades::<A, 6>(self.input);
-        light::check::<A>(self.input);
-        directions::occlusion::<A>(self.input);
-        directions::refused::<A>(self.input);
-        if let Some(exponent) = A::Parameter::exactly(self.input.exponent.into())
+        lens::lens::<A>(self);
+        lens::blades::<A, 3>(self);
+        lens::blades::<A, 5>(self);
+        lens::blades::<A, 6>(self);
+        light::check::<A>(self);
+        directions::occlusion::<A>(self);
+        directions::refused::<A>(self);
+        if let Some(exponent) = A::Parameter::exactly(self.exponent.into())
             && A::exponent(exponent).is_ok()
         {
-            directions::glossy::<A>(self.input, exponent);
+            directions::glossy::<A>(self, exponent);
         }
     }
 }

@@ -20,8 +20,8 @@ struct Input {
 }
 
 pub fn check(data: &[u8]) -> arbitrary::Result<()> {
-    let input: Input = Unstructured::new(data).arbitrary()?;
-    every_root(&mut In { input: &input });
+    let mut input: Input = Unstructured::new(data).arbitrary()?;
+    every_root(&mut input);
     is_frame(input.single);
     is_frame(input.double);
     Ok(())
@@ -41,13 +41,9 @@ fn orthonormal<R: Real>(frame: Frame<R>) -> bool {
     deviation(frame.axes()) <= (LARGEST + 4.0) * eps::<R>() + 3.0 * length
 }
 
-struct In<'a> {
-    input: &'a Input,
-}
-
-impl EachRoot for In<'_> {
+impl EachRoot for Input {
     fn each<A: Root<Real: Real> + Tested>(&mut self) {
-        let vector = nearest::<A, 3>(self.input.vector);
+        let vector = nearest::<A, 3>(self.vector);
         match Frame::new(vector) {
             Ok(frame) => {
                 assert!(orthonormal(frame), "{} {vector:?}: {frame:?}", A::NAME);
@@ -85,10 +81,10 @@ impl EachRoot for In<'_> {
     }
 }
 
-impl In<'_> {
+impl Input {
     /// To the world and back, and a lobe about the frame.
     fn turns<A: Root<Real: Real> + Tested>(&self, frame: Frame<A::Real>) {
-        let Input { local, uv, .. } = *self.input;
+        let Input { local, uv, .. } = *self;
         let local = local.map(|x| if x.abs() <= 1.0 { x } else { 0.5 });
         let local = nearest::<A, 3>(local);
         let room = 2.0 * LARGEST * A::DENSITY_ERROR + 64.0 * eps::<A::Real>();

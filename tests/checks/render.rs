@@ -23,20 +23,16 @@ struct Input {
 }
 
 pub fn check(data: &[u8]) -> arbitrary::Result<()> {
-    let input: Input = Unstructured::new(data).arbitrary()?;
-    every_root(&mut In { input: &input });
+    let mut input: Input = Unstructured::new(data).arbitrary()?;
+    every_root(&mut input);
     Ok(())
 }
 
-struct In<'a> {
-    input: &'a Input,
-}
-
-impl EachRoot for In<'_> {
+impl EachRoot for Input {
     fn each<A: Root<Real: Real> + Tested>(&mut self) {
-        match picture::<A>(self.input) {
+        match picture::<A>(self) {
             Ok(()) => {}
-            Err(error) => assert_eq!(error, Error::NoDirection, "{:?}", self.input),
+            Err(error) => assert_eq!(error, Error::NoDirection, "{:?}", self),
         }
     }
 }

@@ -28,6 +28,15 @@ pub fn write(bytes: &[u8]) {
     let _ = io::stdout().and_then(|mut host| host.write_all(bytes));
 }
 
+/// Ends a program that checks: well, or after it has said what is wrong.
+pub fn end(result: Result<(), impl core::fmt::Display>) -> ! {
+    if let Err(error) = result {
+        println!("error: {error}");
+        exit(1)
+    }
+    exit(0)
+}
+
 /// Instructions that `f` executes, and its call.
 #[inline(never)]
 pub fn instructions(mut f: impl FnMut()) -> u32 {

@@ -5,7 +5,7 @@
 #[path = "../../../../tests/golden/lines.rs"]
 mod lines;
 
-use board::{exit, println};
+use board::{end, println};
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::invariant::Digestible;
 use hemidisc::{Error, FastF32, LibmF32, LibmF64, MicromathF32, Q15, Q15Div, Q31};
@@ -31,9 +31,5 @@ fn files() -> Result<(), Error> {
 
 #[board::entry]
 fn main() -> ! {
-    if let Err(error) = files() {
-        println!("error: {error}");
-        exit(1)
-    }
-    exit(0)
+    end(files())
 }

@@ -13,7 +13,7 @@ mod render;
 #[expect(dead_code, unused_imports, reason = "the example counts and reflects in more ways")]
 mod tracer;
 
-use board::{exit, println};
+use board::{end, println};
 use hemidisc::{Error, FastF32, LibmF32, LibmF64, MicromathF32};
 
 fn files() -> Result<(), Error> {
@@ -30,9 +30,5 @@ fn files() -> Result<(), Error> {
 
 #[board::entry]
 fn main() -> ! {
-    if let Err(error) = files() {
-        println!("error: {error}");
-        exit(1)
-    }
-    exit(0)
+    end(files())
 }
