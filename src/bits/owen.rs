@@ -62,6 +62,93 @@ pub(crate) fn scramble_low(first: u32, seed: u32) -> [u16; 64] {
     places
 }
 
+/// Whether vectors multiply halves of words but not words: x86 before SSE4.1, which takes a product of words apart
+/// into two of every other word and shuffles them together again.
+const IN_HALVES: bool =
+    cfg!(all(any(target_arch = "x86", target_arch = "x86_64"), not(target_feature = "sse4.1")));
+
+/// `scramble_reversed(x ^ low, seed).reverse_bits()` of each `low`. In passes: the chain of a number is 50 operations
+/// long.
+#[inline(always)]
+pub(crate) fn scramble_siblings(x: u32, low: &[u16; 64], seed: u32, out: &mut [u32; 64]) {
+    if IN_HALVES {
+        siblings_in_halves(x, low, seed, out);
+    } else {
+        siblings_in_words(x, low, seed, out);
+    }
+}
+
+#[inline(always)]
+fn siblings_in_words(x: u32, low: &[u16; 64], seed: u32, out: &mut [u32; 64]) {
+    for (slot, low) in out.iter_mut().zip(low) {
+        *slot = x ^ u32::from(*low);
+    }
+    for slot in out.iter_mut() {
+        *slot = scramble_reversed(*slot, seed);
+    }
+    for slot in out {
+        *slot = slot.reverse_bits();
+    }
+}
+
+/// Twice as many numbers to a vector, and reversed bits need no exchange of the halves.
+#[inline(always)]
+fn siblings_in_halves(x: u32, low: &[u16; 64], seed: u32, out: &mut [u32; 64]) {
+    let x = Halves::new(x);
+    let (mut lower, mut upper) = ([0; 64], [0; 64]);
+    for ((lower, upper), low) in lower.iter_mut().zip(&mut upper).zip(low) {
+        let scrambled = Halves { lower: x.lower ^ low, upper: x.upper }.scramble_reversed(seed);
+        (*lower, *upper) = (scrambled.lower, scrambled.upper);
+    }
+    for (lower, upper) in lower.iter_mut().zip(&mut upper) {
+        (*lower, *upper) = (lower.reverse_bits(), upper.reverse_bits());
+    }
+    for ((slot, lower), upper) in out.iter_mut().zip(lower).zip(upper) {
+        *slot = u32::from(lower) << 16 | u32::from(upper);
+    }
+}
+
+/// A number of 32 bits in vectors of 16.
+#[derive(Clone, Copy)]
+struct Halves {
+    lower: u16,
+    upper: u16,
+}
+
+impl Halves {
+    const fn new(x: u32) -> Self {
+        Self { lower: x as u16, upper: (x >> 16) as u16 }
+    }
+
+    /// [`scramble_reversed`].
+    #[inline(always)]
+    fn scramble_reversed(self, seed: u32) -> Self {
+        let x = self.xor_product(MULTIPLIERS[0]);
+        let Self { lower, upper } = Self::new(seed);
+        let sum = x.lower.wrapping_add(lower);
+        let carry = u16::from(sum < lower);
+        let x = Self { lower: sum, upper: x.upper.wrapping_add(upper).wrapping_add(carry) };
+        x.product((seed >> 16) | 1).xor_product(MULTIPLIERS[1]).xor_product(MULTIPLIERS[2])
+    }
+
+    /// x ^ x m.
+    #[inline(always)]
+    fn xor_product(self, m: u32) -> Self {
+        let Self { lower, upper } = self.product(m);
+        Self { lower: self.lower ^ lower, upper: self.upper ^ upper }
+    }
+
+    /// x m.
+    #[inline(always)]
+    fn product(self, m: u32) -> Self {
+        let m = Self::new(m);
+        // Of the lower halves the vector units have this product in two parts.
+        let carry = (u32::from(self.lower) * u32::from(m.lower) >> 16) as u16;
+        let upper = self.upper.wrapping_mul(m.lower).wrapping_add(self.lower.wrapping_mul(m.upper));
+        Self { lower: self.lower.wrapping_mul(m.lower), upper: upper.wrapping_add(carry) }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -75,6 +162,21 @@ mod tests {
                 let others = scramble(first, seed) & !63;
                 assert_eq!(others | u32::from(low), scramble(x, seed), "{x:#x} {seed:#x}");
             }
+        }
+    }
+
+    #[test]
+    fn siblings_are_scrambled_alike_in_words_and_in_halves() {
+        for trial in 0..2000_u32 {
+            let (x, seed) = (mix(trial), mix(!trial));
+            let low = core::array::from_fn(|place| mix(place as u32 ^ trial) as u16);
+            let (mut words, mut halves) = ([0; 64], [0; 64]);
+            siblings_in_words(x, &low, seed, &mut words);
+            siblings_in_halves(x, &low, seed, &mut halves);
+            assert_eq!(words, halves, "{x:#x} {seed:#x}");
+            let one_by_one =
+                low.map(|low| scramble_reversed(x ^ u32::from(low), seed).reverse_bits());
+            assert_eq!(words, one_by_one, "{x:#x} {seed:#x}");
         }
     }
 

@@ -5,7 +5,7 @@
 //! axis moves the points among elementary intervals of every size, and so keeps the nets too.
 
 use super::{BLOCK, Block, Sequence, sobol::pascal_reversed};
-use crate::bits::owen::{scramble, scramble_low, scramble_reversed};
+use crate::bits::owen::{scramble, scramble_low, scramble_reversed, scramble_siblings};
 use crate::domain::Domain;
 
 /// The Sobol (0, 2)-sequence, Owen-scrambled on each axis, in a shuffled order.
@@ -78,27 +78,18 @@ impl Sequence for SobolOwen {
     }
 
     /// An aligned block of indices is shuffled within itself and moved as a whole, and Pascal's matrix is linear over
-    /// xor. A pass for each step: the chain of a point is 60 operations long.
+    /// xor: what differs in a block are the low bits of both coordinates, reversed.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         const LOW: u32 = BLOCK as u32 - 1;
         let high = shuffle(start, self.order) & !LOW;
-        let below = pascal_reversed(high);
-        let places = scramble_low(start, self.order);
-        for ((u, v), place) in u.iter_mut().zip(v.iter_mut()).zip(places) {
+        let mut low = scramble_low(start, self.order);
+        scramble_siblings(high, &low, self.axes[0], u);
+        for low in &mut low {
             // The compiler sees that most of the matrix is not needed.
-            let low = u32::from(place) & LOW;
-            *u = high | low;
-            *v = below ^ pascal_reversed(low);
+            *low = pascal_reversed(u32::from(*low) & LOW) as u16;
         }
-        for (axis, key) in [u, v].into_iter().zip(self.axes) {
-            for k in axis.iter_mut() {
-                *k = scramble_reversed(*k, key);
-            }
-            for k in axis {
-                *k = k.reverse_bits();
-            }
-        }
+        scramble_siblings(pascal_reversed(high), &low, self.axes[1], v);
     }
 
     /// Pairs stay pairs, so an odd index is shuffled to what the even one before it is, with the last bit changed;

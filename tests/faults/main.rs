@@ -1,7 +1,7 @@
 //! Mutation: each fault of `list.rs`, one line of `src`, is put in alone and must be caught by the tests that the list names.
 //!
 //! A plain run only checks that the list still fits the source. To put the faults in, in a copy of the tree, all of them
-//! or those whose text contains a word:
+//! or those whose text contains a word; the table that comes of it counts the build in its seconds:
 //!
 //!     bash .ci/run faults
 //!     HEMIDISC_FAULTS=rounding cargo test --test faults -- --nocapture
@@ -13,6 +13,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Instant;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -37,13 +38,17 @@ fn every_fault_is_caught() {
     let chosen = |fault: &&Fault| word == "all" || fault.what.contains(&*word);
     let tree = copy_of_the_tree();
     let mut escaped = Vec::new();
+    println!("| fault | in | caught by | s |\n| --- | --- | --- | ---: |");
     for fault in FAULTS.iter().filter(chosen) {
         let path = tree.join("src").join(fault.file);
         let right = fs::read_to_string(&path).unwrap();
         fs::write(&path, right.replacen(fault.right, fault.wrong, 1)).unwrap();
+        let started = Instant::now();
         let failed = failures(&tree, fault);
+        let seconds = started.elapsed().as_secs_f64();
         fs::write(&path, right).unwrap();
-        println!("{} ({}): {failed:?}", fault.what, fault.file);
+        let tests = failed.iter().map(String::as_str).collect::<Vec<_>>().join(", ");
+        println!("| {} | {} | {tests} | {seconds:.1} |", fault.what, fault.file);
         let caught = |test: &&&str| failed.iter().any(|name| name.starts_with(**test));
         let missed: Vec<_> = fault.caught_by.iter().filter(|test| !caught(test)).collect();
         if !missed.is_empty() {
