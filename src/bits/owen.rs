@@ -108,7 +108,7 @@ fn siblings_in_halves(x: u32, low: &[u16; 64], seed: u32, out: &mut [u32; 64]) {
     }
 }
 
-/// A number of 32 bits in vectors of 16.
+/// A number of 32 bits as two of 16, each in a vector of its kind.
 #[derive(Clone, Copy)]
 struct Halves {
     lower: u16,
@@ -142,7 +142,7 @@ impl Halves {
     #[inline(always)]
     fn product(self, m: u32) -> Self {
         let m = Self::new(m);
-        // Of the lower halves the vector units have this product in two parts.
+        // Vectors have the upper half of this product (pmulhuw) as well as the lower (pmullw).
         let carry = (u32::from(self.lower) * u32::from(m.lower) >> 16) as u16;
         let upper = self.upper.wrapping_mul(m.lower).wrapping_add(self.lower.wrapping_mul(m.upper));
         Self { lower: self.lower.wrapping_mul(m.lower), upper: upper.wrapping_add(carry) }

@@ -31,6 +31,8 @@ pub struct DiscLight<A: Arithmetic> {
     frame: Frame<A::Real>,
     radius: A::Real,
     two_sided: bool,
+    /// [`size`] of the centre.
+    offset: A::Real,
 }
 
 /// A point of a light as a receiver sees it.
@@ -67,7 +69,8 @@ impl<A: Root> DiscLight<A> {
         if let Some(component) = centre.into_iter().find(bad) {
             return Err(Error::Position { value: component.into() });
         }
-        Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false })
+        let offset = size(centre, frame.axes()[2]);
+        Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false, offset })
     }
 
     /// The same light, shining to both sides.
@@ -132,9 +135,7 @@ impl<A: Root> DiscLight<A> {
     fn height(&self, receiver: [A::Real; 3]) -> A::Real {
         let normal = self.frame.axes()[2];
         let height = dot(along(receiver, -A::Real::ONE, self.centre), normal);
-        let sizes = |i: usize| self.centre[i].magnitude() + receiver[i].magnitude();
-        let size = dot(core::array::from_fn(sizes), normal.map(Real::magnitude));
-        let rounding = size * A::Real::EPSILON * A::Real::FOUR;
+        let rounding = (self.offset + size(receiver, normal)) * A::Real::EPSILON * A::Real::FOUR;
         if height.magnitude() > rounding { height } else { A::Real::ZERO }
     }
 
@@ -149,4 +150,10 @@ impl<A: Root> DiscLight<A> {
             A::Real::ZERO
         }
     }
+}
+
+/// |x n_x| + |y n_y| + |z n_z|, of which the product of both rounds by some eps.
+#[inline]
+fn size<R: Real>(point: [R; 3], normal: [R; 3]) -> R {
+    dot(point.map(R::magnitude), normal.map(R::magnitude))
 }

@@ -59,8 +59,10 @@ fn lit<A: Root>(scene: &Scene<'_, A, impl Points>, hit: &Hit<'_, A, Mirror>) -> 
         let direction = to_light.map(|component| component / distance);
         let away: Vector<A> = core::array::from_fn(|i| hit.point[i] + -light.position[i]);
         let height = dot(away, light.normal);
-        let sizes = |i: usize| light.position[i].magnitude() + hit.point[i].magnitude();
-        let size = dot(core::array::from_fn(sizes), light.normal.map(Real::magnitude));
+        let size_of = |point: [A::Real; 3]| {
+            dot(point.map(Real::magnitude), light.normal.map(Real::magnitude))
+        };
+        let size = size_of(light.position) + size_of(hit.point);
         let rounding = size * A::Real::EPSILON * A::Real::FOUR;
         let cosine = if height.magnitude() > rounding { height / distance } else { A::Real::ZERO };
         if cosine > A::Real::ZERO || light.two_sided {

@@ -106,11 +106,12 @@ impl<A: Root> Light<A> for PointLight<A> {
         let distance = A::sqrt(square);
         let direction = to_light.map(|component| component / distance);
         let height = dot(difference(receiver, self.position), self.normal);
-        let sizes = |i: usize| self.position[i].magnitude() + receiver[i].magnitude();
-        let size = dot(core::array::from_fn(sizes), self.normal.map(Real::magnitude));
+        let size_of =
+            |point: Vector<A>| dot(point.map(Real::magnitude), self.normal.map(Real::magnitude));
+        let size = size_of(self.position) + size_of(receiver);
         // A receiver whose side rounding decides is in the light's plane.
-        let in_plane = height.magnitude() <= size * A::Real::EPSILON * A::Real::FOUR;
-        let cosine = if in_plane { A::Real::ZERO } else { height / distance };
+        let beside = height.magnitude() > size * A::Real::EPSILON * A::Real::FOUR;
+        let cosine = if beside { height / distance } else { A::Real::ZERO };
         let shines = cosine > A::Real::ZERO || self.two_sided;
         let weight = if shines { cosine.magnitude() / square } else { A::Real::ZERO };
         LightSample { point: self.position, direction, distance, weight, ..LightSample::default() }

@@ -65,7 +65,7 @@ pub struct Plane<A: Arithmetic, G> {
 pub struct Hit<'a, A: Arithmetic, G> {
     /// On the surface.
     pub point: [A::Real; 3],
-    /// Of unit length, on the side that the ray comes from.
+    /// Of unit length, but for a sphere so small that squares lose its radius; on the side that the ray comes from.
     pub normal: [A::Real; 3],
     /// Reflectance of the diffuse part here.
     pub albedo: [A::Real; 3],

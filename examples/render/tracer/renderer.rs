@@ -153,7 +153,10 @@ impl<A: Root> Sky<A> {
     pub fn along(&self, direction: Vector<A>) -> Vector<A> {
         let height = direction[1];
         if height > A::Real::ZERO {
-            along(scaled(A::Real::ONE - height, self.horizon), height, self.zenith)
+            // A unit vector's component may round to more than 1.
+            let below = A::Real::ONE - height;
+            let below = if below > A::Real::ZERO { below } else { A::Real::ZERO };
+            along(scaled(below, self.horizon), height, self.zenith)
         } else {
             self.horizon
         }

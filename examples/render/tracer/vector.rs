@@ -42,9 +42,14 @@ pub(super) fn along<R: Real>(a: [R; 3], k: R, b: [R; 3]) -> [R; 3] {
     core::array::from_fn(|i| a[i] + k * b[i])
 }
 
-/// Of unit length; a vector too short for that stays as it is.
+/// Of unit length; a vector so short that its square has lost digits stays as it is.
 #[inline]
 pub(super) fn unit<A: Root>(a: Vector<A>) -> Vector<A> {
-    let length = A::sqrt(dot(a, a));
-    if length > A::Real::ZERO { a.map(|component| component / length) } else { a }
+    let square = dot(a, a);
+    if square >= A::Real::MIN_POSITIVE {
+        let length = A::sqrt(square);
+        a.map(|component| component / length)
+    } else {
+        a
+    }
 }

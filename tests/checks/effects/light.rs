@@ -111,10 +111,10 @@ fn is_exact<A: Root<Real: Real> + Tested>(
     let cosine = -dot(to_light, wide(normal)) / square.sqrt();
     // The light's plane is as thick as coordinates round.
     let [centre, receiver] = [input.centre, input.receiver].map(|v| wide(nearest::<A, 3>(v)));
-    let sizes = [0, 1, 2].map(|i| centre[i].abs() + receiver[i].abs());
+    let sizes = [centre, receiver].map(|v| dot(v.map(f64::abs), wide(normal).map(f64::abs)));
     let [radius] = wide(nearest::<A, 1>([input.radius]));
     // A point of it is as far off as its own coordinates round.
-    let size = dot(sizes, wide(normal).map(f64::abs)) + radius;
+    let size = sizes[0] + sizes[1] + radius;
     let thick = 16.0 * eps::<A::Real>() * size / square.sqrt();
     let [weight] = wide([sample.weight]);
     let exact = if weight > 0.0 { cosine.abs() } else { cosine.min(0.0) } / square;
