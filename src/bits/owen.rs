@@ -64,36 +64,13 @@ pub(crate) fn scramble_low(first: u32, seed: u32) -> [u16; 64] {
 
 /// Whether vectors multiply halves of words but not words: x86 before SSE4.1, which takes a product of words apart
 /// into two of every other word and shuffles them together again.
-const IN_HALVES: bool =
+pub(crate) const IN_HALVES: bool =
     cfg!(all(any(target_arch = "x86", target_arch = "x86_64"), not(target_feature = "sse4.1")));
 
-/// `scramble_reversed(x ^ low, seed).reverse_bits()` of each `low`. In passes: the chain of a number is 50 operations
-/// long.
+/// `scramble_reversed(x ^ low, seed).reverse_bits()` of each `low`, by halves: twice as many numbers to a vector, and
+/// reversed bits need no exchange of the halves.
 #[inline(always)]
 pub(crate) fn scramble_siblings(x: u32, low: &[u16; 64], seed: u32, out: &mut [u32; 64]) {
-    if IN_HALVES {
-        siblings_in_halves(x, low, seed, out);
-    } else {
-        siblings_in_words(x, low, seed, out);
-    }
-}
-
-#[inline(always)]
-fn siblings_in_words(x: u32, low: &[u16; 64], seed: u32, out: &mut [u32; 64]) {
-    for (slot, low) in out.iter_mut().zip(low) {
-        *slot = x ^ u32::from(*low);
-    }
-    for slot in out.iter_mut() {
-        *slot = scramble_reversed(*slot, seed);
-    }
-    for slot in out {
-        *slot = slot.reverse_bits();
-    }
-}
-
-/// Twice as many numbers to a vector, and reversed bits need no exchange of the halves.
-#[inline(always)]
-fn siblings_in_halves(x: u32, low: &[u16; 64], seed: u32, out: &mut [u32; 64]) {
     let x = Halves::new(x);
     let (mut lower, mut upper) = ([0; 64], [0; 64]);
     for ((lower, upper), low) in lower.iter_mut().zip(&mut upper).zip(low) {
@@ -143,7 +120,7 @@ impl Halves {
     fn product(self, m: u32) -> Self {
         let m = Self::new(m);
         // Vectors have the upper half of this product (pmulhuw) as well as the lower (pmullw).
-        let carry = (u32::from(self.lower) * u32::from(m.lower) >> 16) as u16;
+        let carry = ((u32::from(self.lower) * u32::from(m.lower)) >> 16) as u16;
         let upper = self.upper.wrapping_mul(m.lower).wrapping_add(self.lower.wrapping_mul(m.upper));
         Self { lower: self.lower.wrapping_mul(m.lower), upper: upper.wrapping_add(carry) }
     }
@@ -166,17 +143,15 @@ mod tests {
     }
 
     #[test]
-    fn siblings_are_scrambled_alike_in_words_and_in_halves() {
+    fn siblings_are_scrambled_as_one_by_one() {
         for trial in 0..2000_u32 {
             let (x, seed) = (mix(trial), mix(!trial));
             let low = core::array::from_fn(|place| mix(place as u32 ^ trial) as u16);
-            let (mut words, mut halves) = ([0; 64], [0; 64]);
-            siblings_in_words(x, &low, seed, &mut words);
-            siblings_in_halves(x, &low, seed, &mut halves);
-            assert_eq!(words, halves, "{x:#x} {seed:#x}");
+            let mut siblings = [0; 64];
+            scramble_siblings(x, &low, seed, &mut siblings);
             let one_by_one =
                 low.map(|low| scramble_reversed(x ^ u32::from(low), seed).reverse_bits());
-            assert_eq!(words, one_by_one, "{x:#x} {seed:#x}");
+            assert_eq!(siblings, one_by_one, "{x:#x} {seed:#x}");
         }
     }
 

@@ -5,7 +5,7 @@
 //! axis moves the points among elementary intervals of every size, and so keeps the nets too.
 
 use super::{BLOCK, Block, Sequence, sobol::pascal_reversed};
-use crate::bits::owen::{scramble, scramble_low, scramble_reversed, scramble_siblings};
+use crate::bits::owen::{IN_HALVES, scramble, scramble_low, scramble_reversed, scramble_siblings};
 use crate::domain::Domain;
 
 /// The Sobol (0, 2)-sequence, Owen-scrambled on each axis, in a shuffled order.
@@ -61,6 +61,46 @@ impl SobolOwen {
     }
 }
 
+/// An aligned block of indices is shuffled within itself and moved as a whole, and Pascal's matrix is linear over xor: what
+/// differs in a block are the low bits of both coordinates, reversed. In passes, for the chain of a point is 60 operations
+/// long.
+impl SobolOwen {
+    #[inline(always)]
+    fn block_in_words(self, start: u32, u: &mut Block, v: &mut Block) {
+        let high = shuffle(start, self.order) & !LOW;
+        let below = pascal_reversed(high);
+        let places = scramble_low(start, self.order);
+        for ((u, v), place) in u.iter_mut().zip(v.iter_mut()).zip(places) {
+            // The compiler sees that most of the matrix is not needed.
+            let low = u32::from(place) & LOW;
+            *u = high | low;
+            *v = below ^ pascal_reversed(low);
+        }
+        for (axis, key) in [u, v].into_iter().zip(self.axes) {
+            for k in axis.iter_mut() {
+                *k = scramble_reversed(*k, key);
+            }
+            for k in axis {
+                *k = k.reverse_bits();
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn block_in_halves(self, start: u32, u: &mut Block, v: &mut Block) {
+        let high = shuffle(start, self.order) & !LOW;
+        let mut low = scramble_low(start, self.order);
+        scramble_siblings(high, &low, self.axes[0], u);
+        for low in &mut low {
+            *low = pascal_reversed(u32::from(*low) & LOW) as u16;
+        }
+        scramble_siblings(pascal_reversed(high), &low, self.axes[1], v);
+    }
+}
+
+/// The bits of an index that tell the points of a block apart.
+const LOW: u32 = BLOCK as u32 - 1;
+
 /// Nested-uniform shuffle of the index: aligned blocks of 2^k stay aligned blocks of 2^k.
 #[inline(always)]
 pub(crate) const fn shuffle(index: u32, key: u32) -> u32 {
@@ -77,19 +117,13 @@ impl Sequence for SobolOwen {
         self.at(index)
     }
 
-    /// An aligned block of indices is shuffled within itself and moved as a whole, and Pascal's matrix is linear over
-    /// xor: what differs in a block are the low bits of both coordinates, reversed.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
-        const LOW: u32 = BLOCK as u32 - 1;
-        let high = shuffle(start, self.order) & !LOW;
-        let mut low = scramble_low(start, self.order);
-        scramble_siblings(high, &low, self.axes[0], u);
-        for low in &mut low {
-            // The compiler sees that most of the matrix is not needed.
-            *low = pascal_reversed(u32::from(*low) & LOW) as u16;
+        if IN_HALVES {
+            self.block_in_halves(start, u, v);
+        } else {
+            self.block_in_words(start, u, v);
         }
-        scramble_siblings(pascal_reversed(high), &low, self.axes[1], v);
     }
 
     /// Pairs stay pairs, so an odd index is shuffled to what the even one before it is, with the last bit changed;
@@ -106,5 +140,28 @@ impl Sequence for SobolOwen {
             index = index.wrapping_add(1);
             point
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bits::hash::mix;
+
+    #[test]
+    fn blocks_in_words_and_in_halves_are_those_of_their_points() {
+        for trial in 0..500_u32 {
+            let (sequence, start) = (SobolOwen::new(mix(trial)), mix(!trial) & !LOW);
+            let (mut words, mut halves) = ([[0; BLOCK]; 2], [[0; BLOCK]; 2]);
+            let [u, v] = &mut words;
+            sequence.block_in_words(start, u, v);
+            let [u, v] = &mut halves;
+            sequence.block_in_halves(start, u, v);
+            assert_eq!(words, halves, "{sequence:?} {start:#x}");
+            for lane in 0..BLOCK {
+                let [u, v] = &words;
+                assert_eq!([u[lane], v[lane]], sequence.at(start | lane as u32), "{sequence:?}");
+            }
+        }
     }
 }
