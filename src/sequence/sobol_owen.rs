@@ -149,6 +149,14 @@ mod tests {
     use crate::bits::hash::mix;
 
     #[test]
+    fn order_and_axes_have_keys_of_their_own() {
+        for seed in 0..1000 {
+            let SobolOwen { order, axes: [u, v] } = SobolOwen::new(seed);
+            assert!(order != u && u != v && v != order, "{seed}");
+        }
+    }
+
+    #[test]
     fn blocks_in_words_and_in_halves_are_those_of_their_points() {
         for trial in 0..500_u32 {
             let (sequence, start) = (SobolOwen::new(mix(trial)), mix(!trial) & !LOW);

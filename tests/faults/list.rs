@@ -66,7 +66,7 @@ pub const FAULTS: &[Fault] = &[
         &["promises", "golden"]),
     fault("same key: both axes are scrambled alike", "sequence/sobol_owen.rs",
         ["Self { order, axes: [u, v] }", "Self { order, axes: [order, order] }"],
-        &["golden"]),
+        &["lib::sequence::sobol_owen", "golden"]),
     fault("missing carry: into the upper half of a word, where vectors multiply halves", "bits/owen.rs",
         ["let carry = u16::from(sum < lower);", "let carry = u16::from(sum < lower / 2);"],
         &["lib::bits::owen"]),
