@@ -15,7 +15,7 @@ use crate::sequence::{
     Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sequence,
     Shuffled, Sobol, SobolOwen,
 };
-use crate::{Domain, Square};
+use crate::{Coordinates, Domain};
 use arbitrary::{Arbitrary, Unstructured};
 
 /// `[generics] Type: parts => function;`
@@ -36,7 +36,7 @@ macro_rules! made_of {
 }
 
 made_of! {
-    [] Square: [u32; 2] => |cells| Ok(Self(cells));
+    [] Coordinates: [u32; 2] => |cells| Ok(Self(cells));
     [] Axis: bool => |second| Ok(if second { Self::V } else { Self::U });
     [] Domain: [u32; 4] => |[seed, x, y, key]| Ok(Self::new(seed).pixel(x, y).child(key));
     [] Split: (Domain, [u32; 2]) => |(domain, [key, ways])| Ok(domain.split(key, ways));
@@ -82,21 +82,21 @@ made_of! {
     [A: Arithmetic] Concentric<A>: () => |()| Ok(Self::new());
     [A: Arithmetic] Polar<A>: () => |()| Ok(Self::new());
     [A: Arithmetic] Uniform<A>: () => |()| Ok(Self::new());
-    [A: Arithmetic] Uniform<A, Polar<A>>: () => |()| Ok(Self::polar());
+    [A: Arithmetic] Uniform<A, Polar<A>>: () => |()| Ok(Self::over(Polar::new()));
     [A: Arithmetic] Cosine<A>: () => |()| Ok(Self::new());
-    [A: Arithmetic] Cosine<A, Polar<A>>: () => |()| Ok(Self::polar());
+    [A: Arithmetic] Cosine<A, Polar<A>>: () => |()| Ok(Self::over(Polar::new()));
     [A: Arithmetic<Parameter: Arbitrary<'a>>]
     Power<A>: Accepted<A> => |exponent| Self::new(exponent.0);
     [A: Arithmetic<Parameter: Arbitrary<'a>>]
-    Power<A, Polar<A>>: Accepted<A> => |exponent| Self::polar(exponent.0);
+    Power<A, Polar<A>>: Accepted<A> => |exponent| Self::over(exponent.0, Polar::new());
     [M: Map + Arbitrary<'a>, R: Real + Arbitrary<'a>]
     About<M, R>: (M, Frame<R>) => |(map, frame)| Ok(Self::new(map, frame));
     [S: Sequence + Arbitrary<'a>, M: Map + Arbitrary<'a>]
     Points<S, M>: (S, M, [u32; 2]) => |(sequence, map, [start, count])| {
         let len = sequence.size().map_or(1 << 32, u64::from);
         let start = (u64::from(start) % len) as u32;
-        let left = u32::try_from(len - u64::from(start)).unwrap_or(u32::MAX);
-        Self::of_range(sequence, map, start, count.min(left))
+        let points = Self::with_range(sequence, map, start..)?;
+        points.take(count.min(points.len()))
     };
 }
 
@@ -181,7 +181,7 @@ made_of! {
     };
     [A: Arithmetic<Real: Real>, const N: usize]
     Polygon<A, N>: u32 => |rotation| Ok(Self::new(rotation));
-    [M: Map<Point = [R; 2], Arithmetic: Arithmetic<Real = R>> + Arbitrary<'a>, R: Real + Arbitrary<'a>]
+    [M: Map<Point = [R; 2]> + Arbitrary<'a>, R: Real + Arbitrary<'a>]
     ThinLens<M, R>: (M, [R; 2]) => |(aperture, [size, focus])| {
         // In focus too near for its radius it is in focus at infinity.
         let new = |focus| Self::new(aperture, radius(size), focus);

@@ -1,35 +1,33 @@
 //! Arithmetics: the number type of the points and the kernels of every map on it.
 //!
-//! This is the only entry to real numbers. An arithmetic is a zero-sized type, so a binary may hold
-//! and compare several. To bring an f32 or f64 maths library of your own, implement [`Float`]: seven
-//! functions give every map. To bring a number type of your own, implement [`Arithmetic`].
+//! This is the only entry to real numbers. An arithmetic is a type, not a feature that swaps the
+//! number type, so a binary may hold and compare several. To bring an f32 or f64 maths library of
+//! your own, implement [`Float`]: seven functions give every map.
 //!
-//! | arithmetic | feature | slot | functions |
+//! | arithmetic | feature | component | functions |
 //! | --- | --- | --- | --- |
 //! | `LibmF32` | `libm` | `f32` | `libm`, correctly rounded or within 1 ulp, on any core |
 //! | `LibmF64` | `libm` | `f64` | the same in double precision |
 //! | [`FastF32`] | always | `f32` | its own polynomials, which become vector code |
-//! | `Q15` | `fixed-point` | `Q15` | integers alone: tables and 16-bit products, for small cores |
-//! | `Q15Div` | `fixed-point` | `Q15` | the same, with a division and no table in the concentric map |
-//! | `Q31` | `fixed-point` | `Q31` | integers alone: tables and short series, the same bytes on any core |
+//! | `Q15` | `fixed-point` | `Q15` | integers: tables and 16-bit products, for small cores |
+//! | `Q15Div` | `fixed-point` | `Q15` | the same, with a division in the concentric map |
+//! | `Q31` | `fixed-point` | `Q31` | integers: tables and short series |
 //! | `MicromathF32` | `micromath` | `f32` | three digits: `micromath`'s sine and cosine, the rest refined |
 //!
-//! What each costs, and what its points are good to: of a panel's marks, those on the line are not beaten by another
-//! in both. `docs/accuracy.md` has the figures, and says which to use.
+//! The plot shows what each costs and how accurate its points are. In a panel, no arithmetic beats a
+//! mark on the line in both. `docs/accuracy.md` has the figures, and says which arithmetic to use.
 //!
 #![doc = include_str!("../docs/accuracy/pareto.svg")]
 
+use crate::block::{Block, Lanes};
 use crate::error::Error;
-use crate::map::DiscMap;
-use crate::sequence::{BLOCK, Block};
 use core::fmt::{Debug, Display};
 use core::str::FromStr;
 
-pub mod contract;
 mod fast_f32;
 #[cfg(feature = "fixed-point")]
 mod fixed;
-pub(crate) mod float;
+mod float;
 #[cfg(feature = "libm")]
 mod libm_f32;
 #[cfg(feature = "libm")]
@@ -43,10 +41,11 @@ mod q15_div;
 #[cfg(feature = "fixed-point")]
 mod q31;
 
-pub use fast_f32::{FastDisc, FastExponent, FastF32};
+pub use fast_f32::FastF32;
 #[cfg(feature = "fixed-point")]
 pub use fixed::{FixedExponent, Q15, Q31};
-pub use float::{Float, FloatDisc, PowerExponent, Real, Root};
+pub(crate) use float::RealKernel;
+pub use float::{DiscPoint, Float, Real, Root};
 #[cfg(feature = "libm")]
 pub use libm_f32::LibmF32;
 #[cfg(feature = "libm")]
@@ -54,143 +53,184 @@ pub use libm_f64::LibmF64;
 #[cfg(feature = "micromath")]
 pub use micromath_f32::MicromathF32;
 #[cfg(feature = "fixed-point")]
-pub use q15::{Q15Disc, Q15Exponent};
-#[cfg(feature = "fixed-point")]
 pub use q15_div::Q15Div;
-#[cfg(feature = "fixed-point")]
-pub use q31::{Q31Disc, Q31Exponent};
 
-/// Fills a block a point at a time. A component is stored at a time, which LLVM likes better than an array; and
-/// this is a macro, for a closure would hide a long kernel from the inliner.
+/// A number type and the kernels of all maps on it. Sealed: [`Float`] is the way to bring another
+/// library.
+///
+/// Coordinates are read at the centres of their cells. Every kernel is total: all 2^64 pairs of
+/// coordinates give a valid point. For all of them a stored point has x^2 + y^2 <= 1 in exact
+/// arithmetic, and a direction has z > 0.
+pub trait Arithmetic:
+    sealed::Sealed + Copy + Default + Debug + PartialEq + Send + Sync + 'static
+{
+    /// Its name on command lines and in tables.
+    const NAME: &'static str;
+
+    /// Whether densities are per unit of area or of solid angle.
+    ///
+    /// A number type without room for that has parts of the peak instead. The peak is 1 on the
+    /// square, 1 / pi on the disc, and 1 / (2 pi), 1 / pi and (e + 1) / (2 pi) for the lobes.
+    const ABSOLUTE_DENSITY: bool;
+
+    /// A component of a point, as stored.
+    type Real: Copy + Debug + Default + PartialEq + Send + Sync + 'static;
+
+    /// An exponent as the user gives it.
+    type Parameter: Copy + Debug + PartialEq + FromStr<Err: Display>;
+
+    /// A point of the disc before it is rounded, with r^2 and 1 - r^2 formed from the coordinates
+    /// without cancellation, which the lobes need.
+    #[doc(hidden)]
+    type Disc: Copy + Debug;
+
+    /// A checked exponent with what its kernels need prepared.
+    #[doc(hidden)]
+    type Exponent: Copy + Debug + PartialEq + Send + Sync + 'static + Into<BackExponent<Self>>;
+
+    /// Inverses and densities: perhaps another arithmetic's, for they are not for the inner loop.
+    #[doc(hidden)]
+    type Back: Back<Real = Self::Real>;
+
+    /// The unit square itself, each component in [0, 1), rounded toward zero.
+    #[doc(hidden)]
+    fn square(uv: [u32; 2]) -> [Self::Real; 2];
+
+    /// The square [-1, 1]^2 that rejection draws from, x = 2u - 1, y = 2v - 1, for coordinates inside
+    /// the disc.
+    #[doc(hidden)]
+    fn centred(uv: [u32; 2]) -> [Self::Real; 2];
+
+    /// The concentric map.
+    #[doc(hidden)]
+    fn concentric(uv: [u32; 2]) -> Self::Disc;
+
+    /// The polar map: u is the angle, v is r^2.
+    #[doc(hidden)]
+    fn polar(uv: [u32; 2]) -> Self::Disc;
+
+    /// Rounds a point of the disc to its slot, inward where it would leave the disc.
+    #[doc(hidden)]
+    fn store(disc: Self::Disc) -> [Self::Real; 2];
+
+    /// The concentric map's point, stored. Apart from [`concentric`](Self::concentric), for the
+    /// compiler does not always remove an r^2 that nobody reads.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn concentric_point(uv: [u32; 2]) -> [Self::Real; 2] {
+        Self::store(Self::concentric(uv))
+    }
+
+    /// The polar map's point, stored.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn polar_point(uv: [u32; 2]) -> [Self::Real; 2] {
+        Self::store(Self::polar(uv))
+    }
+
+    /// Lifts to the uniform hemisphere: z = 1 - r^2.
+    #[doc(hidden)]
+    fn uniform(disc: Self::Disc) -> [Self::Real; 3];
+
+    /// Lifts to the cosine hemisphere: z = sqrt(1 - r^2).
+    #[doc(hidden)]
+    fn cosine(disc: Self::Disc) -> [Self::Real; 3];
+
+    /// Checks and prepares an exponent.
+    ///
+    /// # Errors
+    /// [`Error::Exponent`] for a value that is not a finite number above -1. In fixed point every
+    /// value of the type is valid.
+    #[doc(hidden)]
+    fn exponent(parameter: Self::Parameter) -> Result<Self::Exponent, Error>;
+
+    /// The exponent as the user gave it.
+    #[doc(hidden)]
+    fn parameter(exponent: Self::Exponent) -> Self::Parameter;
+
+    /// Lifts to the cosine-power hemisphere: z = (1 - r^2)^(1 / (e + 1)).
+    #[doc(hidden)]
+    fn power(exponent: Self::Exponent, disc: Self::Disc) -> [Self::Real; 3];
+
+    /// The points of a disc map over a block.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn disc_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<Self::Real>; 2]) {
+        point_by_point!(u, v, out, uv => D::point(uv));
+    }
+
+    /// [`uniform`](Self::uniform) over a block of points of a disc map.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn uniform_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<Self::Real>; 3]) {
+        point_by_point!(u, v, out, uv => Self::uniform(D::disc(uv)));
+    }
+
+    /// [`cosine`](Self::cosine) over a block of points of a disc map.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn cosine_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<Self::Real>; 3]) {
+        point_by_point!(u, v, out, uv => Self::cosine(D::disc(uv)));
+    }
+
+    /// [`power`](Self::power) over a block of points of a disc map.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn power_block<D: KernelOf<Self>>(
+        exponent: Self::Exponent,
+        u: &Block,
+        v: &Block,
+        out: &mut [Lanes<Self::Real>; 3],
+    ) {
+        point_by_point!(u, v, out, uv => Self::power(exponent, D::disc(uv)));
+    }
+}
+
+/// Fills a block point by point, each component into its lanes. A macro, for a closure would hide a
+/// long kernel from the inliner.
 macro_rules! point_by_point {
     ($u:ident, $v:ident, $out:ident, $uv:ident => $point:expr) => {
-        for (slot, (u, v)) in $out.iter_mut().zip($u.iter().zip($v)) {
+        for (lane, (u, v)) in $u.iter().zip($v).enumerate() {
             let $uv = [*u, *v];
-            for (component, value) in slot.iter_mut().zip($point) {
-                *component = value;
+            for (lanes, value) in $out.iter_mut().zip($point) {
+                lanes[lane] = value;
             }
         }
     };
 }
-pub(crate) use point_by_point;
+use point_by_point;
 
-/// A number type and the kernels of all maps on it.
-///
-/// Coordinates are read at the centres of their cells. Every kernel is total: all 2^64 pairs of
-/// coordinates give a valid point. `RIM` asks a disc kernel for r^2 and 1 - r^2, which only the lobes
-/// use; an unused one is not always removed by the compiler.
-///
-/// Promises of an implementation, for all inputs: a stored point has x^2 + y^2 <= 1 in exact
-/// arithmetic; a direction has z > 0; a density is positive at every sampled point, and finite.
-pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static {
-    /// Its name on command lines and in tables.
-    const NAME: &'static str;
+/// The exponent as the inverses and densities of an arithmetic take it.
+#[doc(hidden)]
+pub type BackExponent<A> = <<A as Arithmetic>::Back as Back>::Exponent;
 
-    /// Whether densities are per unit of area or of solid angle. Where a number type has no room for
-    /// that they are parts of the peak: 1 on the square, 1 / pi on the disc, 1 / (2 pi), 1 / pi and
-    /// (e + 1) / (2 pi) for the lobes.
-    const ABSOLUTE_DENSITY: bool;
-
-    /// Whether filling a buffer by blocks of 64 points is faster than one by one. The bits are the
-    /// same either way.
-    const BLOCKED: bool;
-
+/// The way back on a number type: inverses and densities of all maps.
+#[doc(hidden)]
+pub trait Back {
     /// A component of a point, as stored.
-    type Real: Copy + Debug + Default + PartialEq + Send + Sync + 'static;
-    /// A point of the disc before it is rounded to its slot, with what the lobes need of it: r^2 and
-    /// 1 - r^2 formed from the coordinates, without cancellation.
-    type Disc: Copy + Debug;
-    /// An exponent as the user gives it.
-    type Parameter: Copy + Debug + FromStr<Err: Display>;
-    /// A checked exponent with what its kernels need prepared.
-    type Exponent: Copy + Debug + PartialEq + Send + Sync + 'static;
+    type Real: Copy;
+    /// What coordinates are found from: a direction of any length, and r^2.
+    type Lowered: Copy;
+    /// A checked exponent.
+    type Exponent: Copy;
 
-    /// The unit square itself, each component in [0, 1), rounded toward zero.
-    fn square(uv: [u32; 2]) -> [Self::Real; 2];
-    /// The square [-1, 1]^2 that rejection draws from, x = 2u - 1, y = 2v - 1, for coordinates inside
-    /// the disc.
-    fn centred(uv: [u32; 2]) -> [Self::Real; 2];
-    /// The concentric map.
-    fn concentric<const RIM: bool>(uv: [u32; 2]) -> Self::Disc;
-    /// The polar map: u is the angle, v is r^2.
-    fn polar<const RIM: bool>(uv: [u32; 2]) -> Self::Disc;
-    /// Rounds a point of the disc to its slot, inward where it would leave the disc.
-    fn store(disc: Self::Disc) -> [Self::Real; 2];
+    /// A stored point of the disc.
+    fn lower_disc(point: [Self::Real; 2]) -> Self::Lowered;
+    /// The disc point of a direction of the uniform hemisphere.
+    fn lower_uniform(direction: [Self::Real; 3]) -> Self::Lowered;
+    /// The disc point of a direction of the cosine hemisphere.
+    fn lower_cosine(direction: [Self::Real; 3]) -> Self::Lowered;
+    /// The disc point of a direction of the power hemisphere.
+    fn lower_power(exponent: Self::Exponent, direction: [Self::Real; 3]) -> Self::Lowered;
 
-    /// Lifts to the uniform hemisphere: z = 1 - r^2.
-    fn uniform(disc: Self::Disc) -> [Self::Real; 3];
-    /// Lifts to the cosine hemisphere: z = sqrt(1 - r^2).
-    fn cosine(disc: Self::Disc) -> [Self::Real; 3];
-    /// Checks and prepares an exponent.
-    ///
-    /// # Errors
-    /// [`Error::Exponent`] for a value that is not a finite number above -1. In fixed point every value of
-    /// the type is valid.
-    fn exponent(parameter: Self::Parameter) -> Result<Self::Exponent, Error>;
-    /// Lifts to the cosine-power hemisphere: z = (1 - r^2)^(1 / (e + 1)).
-    fn power(exponent: Self::Exponent, disc: Self::Disc) -> [Self::Real; 3];
-
-    /// [`store`](Self::store) over a block of points of a disc map; the same bits.
-    #[inline(always)]
-    fn disc_block<D: DiscMap<Arithmetic = Self>>(
-        disc: &D,
-        u: &Block,
-        v: &Block,
-        out: &mut [[Self::Real; 2]; BLOCK],
-    ) {
-        point_by_point!(u, v, out, uv => Self::store(disc.disc::<false>(uv)));
-    }
-
-    /// [`uniform`](Self::uniform) over a block of points of a disc map; the same bits.
-    #[inline(always)]
-    fn uniform_block<D: DiscMap<Arithmetic = Self>>(
-        disc: &D,
-        u: &Block,
-        v: &Block,
-        out: &mut [[Self::Real; 3]; BLOCK],
-    ) {
-        point_by_point!(u, v, out, uv => Self::uniform(disc.disc::<true>(uv)));
-    }
-
-    /// [`cosine`](Self::cosine) over a block of points of a disc map; the same bits.
-    #[inline(always)]
-    fn cosine_block<D: DiscMap<Arithmetic = Self>>(
-        disc: &D,
-        u: &Block,
-        v: &Block,
-        out: &mut [[Self::Real; 3]; BLOCK],
-    ) {
-        point_by_point!(u, v, out, uv => Self::cosine(disc.disc::<true>(uv)));
-    }
-
-    /// [`power`](Self::power) over a block of points of a disc map; the same bits.
-    #[inline(always)]
-    fn power_block<D: DiscMap<Arithmetic = Self>>(
-        exponent: Self::Exponent,
-        disc: &D,
-        u: &Block,
-        v: &Block,
-        out: &mut [[Self::Real; 3]; BLOCK],
-    ) {
-        point_by_point!(u, v, out, uv => Self::power(exponent, disc.disc::<true>(uv)));
-    }
-
-    /// A stored point of the disc, for its inverse.
-    fn load(point: [Self::Real; 2]) -> Self::Disc;
-    /// The disc point of a direction of the uniform hemisphere, for its inverse.
-    fn lower_uniform(direction: [Self::Real; 3]) -> Self::Disc;
-    /// The disc point of a direction of the cosine hemisphere, for its inverse.
-    fn lower_cosine(direction: [Self::Real; 3]) -> Self::Disc;
-    /// The disc point of a direction of the power hemisphere, for its inverse.
-    fn lower_power(exponent: Self::Exponent, direction: [Self::Real; 3]) -> Self::Disc;
     /// The cells of a point of the unit square.
     fn invert_square(point: [Self::Real; 2]) -> [u32; 2];
     /// The cells of a point of [-1, 1]^2.
     fn invert_centred(point: [Self::Real; 2]) -> [u32; 2];
     /// The cells that the concentric map sends to a disc point.
-    fn invert_concentric(disc: Self::Disc) -> [u32; 2];
+    fn invert_concentric(lowered: Self::Lowered) -> [u32; 2];
     /// The cells that the polar map sends to a disc point.
-    fn invert_polar(disc: Self::Disc) -> [u32; 2];
+    fn invert_polar(lowered: Self::Lowered) -> [u32; 2];
 
     /// Density over the unit square, per unit of area.
     fn square_density(point: [Self::Real; 2]) -> Self::Real;
@@ -202,4 +242,29 @@ pub trait Arithmetic: Copy + Default + Debug + PartialEq + Send + Sync + 'static
     fn cosine_density(direction: [Self::Real; 3]) -> Self::Real;
     /// Density over directions, per steradian: (e + 1) z^e / (2 pi), and 0 below the horizon.
     fn power_density(exponent: Self::Exponent, direction: [Self::Real; 3]) -> Self::Real;
+}
+
+/// The kernel of a disc map, without a value: a disc map has no parameter.
+#[doc(hidden)]
+pub trait DiscKernel {
+    /// A component of a point, as stored.
+    type Real;
+    /// A point before it is rounded.
+    type Disc;
+
+    /// The point before rounding.
+    fn disc(uv: [u32; 2]) -> Self::Disc;
+
+    /// The point as it is stored.
+    fn point(uv: [u32; 2]) -> [Self::Real; 2];
+}
+
+/// A disc kernel of an arithmetic.
+#[doc(hidden)]
+pub trait KernelOf<A: Arithmetic>: DiscKernel<Real = A::Real, Disc = A::Disc> {}
+impl<A: Arithmetic, D: DiscKernel<Real = A::Real, Disc = A::Disc>> KernelOf<A> for D {}
+
+mod sealed {
+    /// What seals [`Arithmetic`](super::Arithmetic).
+    pub trait Sealed {}
 }

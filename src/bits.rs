@@ -1,8 +1,10 @@
-//! Integer tools under the sequences: all `const`, all exact on every target.
+//! Integer tools under the sequences: all exact on every target, and `const` but for blocks.
 
+pub(crate) mod grid;
 pub mod hash;
+pub(crate) mod modulo;
 pub mod owen;
 pub mod permute;
 pub(crate) mod reversed;
-pub mod strata;
+pub(crate) mod strata;
 pub(crate) mod wide;

@@ -10,7 +10,7 @@
 //! struct FirstPoints;
 //! impl SequenceVisitor for FirstPoints {
 //!     fn visit<S: Sequence>(&mut self, name: &'static str, sequence: S) {
-//!         println!("{name}: {:x?}", sequence.point(0));
+//!         println!("{name}: {:x?}", sequence.at(0));
 //!     }
 //! }
 //! sequences(64, 0, &mut FirstPoints)?;
@@ -19,7 +19,7 @@
 
 use crate::arithmetic::Arithmetic;
 use crate::error::Error;
-use crate::map::{Concentric, Cosine, Map, Polar, Power, Uniform};
+use crate::map::{Concentric, Cosine, Invert, Polar, Power, Uniform};
 use crate::sequence::{
     Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sequence,
     Sobol, SobolOwen,
@@ -34,13 +34,9 @@ pub trait SequenceVisitor {
 /// Sees every one-to-one map of an arithmetic in turn.
 pub trait MapVisitor<A: Arithmetic> {
     /// Called once for each map onto the disc.
-    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]> + 'static>(
-        &mut self,
-        name: &'static str,
-        map: M,
-    );
+    fn disc<M: Invert<Point = [A::Real; 2]> + 'static>(&mut self, name: &'static str, map: M);
     /// Called once for each map onto the hemisphere: its lobe, and the disc map below it.
-    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]> + 'static>(
+    fn hemisphere<M: Invert<Point = [A::Real; 3]> + 'static>(
         &mut self,
         name: &'static str,
         disc: &'static str,
@@ -61,7 +57,7 @@ pub const fn grid(count: u32) -> [u32; 2] {
 }
 
 /// The names of all sequences, in the order in which they are visited.
-pub const SEQUENCES: [&str; 11] = [
+pub const SEQUENCES: &[&str] = &[
     "regular",
     "random",
     "jittered",
@@ -100,9 +96,9 @@ pub fn sequences(count: u32, seed: u32, visitor: &mut impl SequenceVisitor) -> R
 pub fn maps<A: Arithmetic>(visitor: &mut impl MapVisitor<A>) {
     visitor.disc("polar", Polar::<A>::new());
     visitor.disc("concentric", Concentric::<A>::new());
-    visitor.hemisphere("uniform", "polar", Uniform::<A, _>::polar());
+    visitor.hemisphere("uniform", "polar", Uniform::over(Polar::<A>::new()));
     visitor.hemisphere("uniform", "concentric", Uniform::<A>::new());
-    visitor.hemisphere("cosine", "polar", Cosine::<A, _>::polar());
+    visitor.hemisphere("cosine", "polar", Cosine::over(Polar::<A>::new()));
     visitor.hemisphere("cosine", "concentric", Cosine::<A>::new());
 }
 
@@ -114,14 +110,14 @@ pub fn power_maps<A: Arithmetic>(
     exponent: A::Parameter,
     visitor: &mut impl MapVisitor<A>,
 ) -> Result<(), Error> {
-    visitor.hemisphere("power", "polar", Power::<A, _>::polar(exponent)?);
+    visitor.hemisphere("power", "polar", Power::over(exponent, Polar::<A>::new())?);
     visitor.hemisphere("power", "concentric", Power::<A>::new(exponent)?);
     Ok(())
 }
 
 /// The names of all arithmetics that a build with every feature has, in the order of visits.
-pub const ARITHMETICS: [&str; 7] =
-    ["libm-f64", "libm-f32", "fast-f32", "micromath-f32", "q31", "q15", "q15-div"];
+pub const ARITHMETICS: &[&str] =
+    &["libm-f64", "libm-f32", "fast-f32", "micromath-f32", "q31", "q15", "q15-div"];
 
 /// The names of the arithmetics that this build has, in the order of visits.
 pub const AVAILABLE_ARITHMETICS: &[&str] = &[

@@ -78,7 +78,7 @@ impl Domain {
 }
 
 /// The domain of a split, and which of its indices belong to a sample.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Split {
     domain: Domain,
     ways: u32,
@@ -100,15 +100,15 @@ impl Split {
         {
             return Ok(start..end);
         }
-        let start = sample.saturating_mul(self.ways);
-        Err(Error::Range { start, count: self.ways, len: 1 << 32 })
+        let (start, count) = (sample.saturating_mul(self.ways) as u64, self.ways as u64);
+        Err(Error::Range { start, count, len: 1 << 32 })
     }
 }
 
 /// A one-dimensional stream: the Owen-scrambled van der Corput sequence in shuffled order.
 ///
 /// Promise: each block of 2^k values that starts at a multiple of 2^k has one in each of 2^k strata.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Stream {
     order: u32,
     key: u32,
@@ -155,7 +155,7 @@ mod tests {
         assert_eq!(Domain::new(0).split(1, 0).branches(7), Ok(0..0));
         let last = u32::MAX / 4;
         assert_eq!(split.branches(last - 1), Ok(u32::MAX - 7..u32::MAX - 3));
-        let error = Error::Range { start: u32::MAX, count: 4, len: 1 << 32 };
+        let error = Error::Range { start: u32::MAX.into(), count: 4, len: 1 << 32 };
         assert_eq!(split.branches(last + 1), Err(error));
     }
 

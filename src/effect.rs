@@ -63,9 +63,9 @@ fn capped<R: Real>(x: R) -> R {
 
 /// 1 / x for x >= 0, as a normal number: of a density, which is positive.
 #[inline]
-fn inverse<R: Real>(x: R) -> R {
-    let inverse = capped(R::ONE / x);
-    if inverse > R::MIN_POSITIVE { inverse } else { R::MIN_POSITIVE }
+fn reciprocal<R: Real>(x: R) -> R {
+    let reciprocal = capped(R::ONE / x);
+    if reciprocal > R::MIN_POSITIVE { reciprocal } else { R::MIN_POSITIVE }
 }
 
 /// a + k b.

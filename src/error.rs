@@ -3,7 +3,7 @@
 use core::fmt;
 
 /// An axis of the unit square.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Axis {
     /// The first coordinate.
     U,
@@ -58,11 +58,18 @@ pub enum Error {
     /// A range of indices that does not lie within the set.
     Range {
         /// First index asked for.
-        start: u32,
+        start: u64,
         /// How many points were asked for.
-        count: u32,
+        count: u64,
         /// How many the set has; 2^32 for an endless sequence.
         len: u64,
+    },
+    /// A range of indices that ends before it starts.
+    ReversedRange {
+        /// First index asked for.
+        start: u64,
+        /// The index after the last.
+        end: u64,
     },
     /// A shard number that is not below the number of shards.
     Shard {
@@ -138,6 +145,12 @@ impl fmt::Display for Error {
             ),
             Self::StoredTooLong { len } => {
                 write!(f, "a stored set of {len} points; accepted: at most {}", u32::MAX)
+            }
+            Self::Range { count: count @ 0x1_0000_0000.., .. } => {
+                write!(f, "a range of {count} points; accepted: at most {} points", u32::MAX)
+            }
+            Self::ReversedRange { start, end } => {
+                write!(f, "a range from {start} to {end}; accepted: an end not below the start")
             }
             Self::Range { start, count, len } => write!(
                 f,

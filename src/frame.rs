@@ -4,10 +4,10 @@
 //! Orthonormal Basis, Revisited", JCGT 6(1), 2017: no branch, no square root, and exact near
 //! n_z = -1, where Frisvad's form divides by 0.
 
-use crate::arithmetic::{Arithmetic, Real, Root};
+use crate::arithmetic::{Real, Root};
+use crate::block::{BLOCK, Block, Lanes};
 use crate::error::Error;
-use crate::map::{Map, by_component};
-use crate::sequence::{BLOCK, Block};
+use crate::map::{Density, Invert, Map};
 
 /// A right-handed orthonormal basis whose third axis is a given unit vector.
 ///
@@ -102,7 +102,7 @@ pub(crate) fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
 }
 
 /// A map of directions, turned about the third axis of a frame: world-space sampling about a
-/// normal. Made by [`Hemisphere::about`](crate::hemisphere::Hemisphere::about).
+/// normal. [`Hemisphere::about`](crate::hemisphere::Hemisphere::about) makes it of a lobe.
 ///
 /// Rotation rounds: a direction at the horizon may come out a few eps below the plane, where its
 /// density is 0, and the angle to the axis of a sharp lobe is off by an eps, so the density of a
@@ -115,8 +115,14 @@ pub struct About<M, R> {
 }
 
 impl<M, R> About<M, R> {
-    pub(crate) const fn new(map: M, frame: Frame<R>) -> Self {
+    /// The directions of a map in world space: its z axis is the third axis of the frame.
+    pub const fn new(map: M, frame: Frame<R>) -> Self {
         Self { map, frame }
+    }
+
+    /// The map, about its own z axis.
+    pub const fn map(&self) -> &M {
+        &self.map
     }
 
     /// The frame.
@@ -125,21 +131,29 @@ impl<M, R> About<M, R> {
     }
 }
 
-impl<R: Real, M: Map<Point = [R; 3]>> Map for About<M, R>
-where
-    M::Arithmetic: Arithmetic<Real = R>,
-{
-    type Arithmetic = M::Arithmetic;
+impl<R: Real, M: Map<Point = [R; 3]>> Map for About<M, R> {
     type Point = [R; 3];
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, uv: [u32; 2]) -> [R; 3] {
         self.frame.to_world(self.map.sample(uv))
     }
 
+    /// The map's own block, turned.
     #[inline(always)]
-    fn sample_block(&self, u: &Block, v: &Block, out: &mut [[R; 3]; BLOCK]) {
-        by_component(self, u, v, out);
+    fn sample_block(&self, u: &Block, v: &Block, out: &mut [Lanes<R>; 3]) {
+        self.map.sample_block(u, v, out);
+        let [x, y, z] = out;
+        for lane in 0..BLOCK {
+            [x[lane], y[lane], z[lane]] = self.frame.to_world([x[lane], y[lane], z[lane]]);
+        }
+    }
+}
+
+impl<R: Real, M: Density<Point = [R; 3]>> Density for About<M, R> {
+    #[inline]
+    fn density(&self, world: [R; 3]) -> R {
+        self.map.density(self.frame.to_local(world))
     }
 
     #[inline]
@@ -147,12 +161,9 @@ where
         let (local, density) = self.map.sample_with_density(uv);
         (self.frame.to_world(local), density)
     }
+}
 
-    #[inline]
-    fn density(&self, world: [R; 3]) -> R {
-        self.map.density(self.frame.to_local(world))
-    }
-
+impl<R: Real, M: Invert<Point = [R; 3]>> Invert for About<M, R> {
     #[inline]
     fn invert(&self, world: [R; 3]) -> [u32; 2] {
         self.map.invert(self.frame.to_local(world))
@@ -160,13 +171,4 @@ where
 }
 
 #[cfg(feature = "rand")]
-impl<R: Real, M: Map<Point = [R; 3]>> rand::distr::Distribution<[R; 3]> for About<M, R>
-where
-    M::Arithmetic: Arithmetic<Real = R>,
-{
-    /// Draws two words, u first.
-    #[inline]
-    fn sample<G: rand::Rng + ?Sized>(&self, rng: &mut G) -> [R; 3] {
-        crate::map::draw(self, rng)
-    }
-}
+crate::map::distribution!([R: Real, M: Map<Point = [R; 3]>] About<M, R>, [R; 3]);

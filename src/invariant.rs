@@ -46,9 +46,9 @@
 //!
 //! `tests/checks` of the repository is what this crate's own targets check, in every arithmetic.
 
-use crate::arithmetic::Arithmetic;
-use crate::map::{Component, Map};
-use crate::sequence::{BLOCK, Sequence};
+use crate::block::BLOCK;
+use crate::map::{Component, Density, Invert, Map};
+use crate::sequence::Sequence;
 use core::fmt;
 
 mod digest;
@@ -140,13 +140,7 @@ impl core::error::Error for Violation {}
 ///
 /// # Errors
 /// The promise that is broken.
-pub fn disc<A: Arithmetic, M: Map<Arithmetic = A, Point = [A::Real; 2]>>(
-    map: &M,
-    uv: [u32; 2],
-) -> Result<(), Violation>
-where
-    A::Real: Exact,
-{
+pub fn disc<R: Exact, M: Density<Point = [R; 2]>>(map: &M, uv: [u32; 2]) -> Result<(), Violation> {
     let point = map.sample(uv);
     on_disc(point, uv)?;
     has_density(map, point, uv)
@@ -156,13 +150,10 @@ where
 ///
 /// # Errors
 /// The promise that is broken.
-pub fn hemisphere<A: Arithmetic, M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
+pub fn hemisphere<R: Exact, M: Density<Point = [R; 3]>>(
     map: &M,
     uv: [u32; 2],
-) -> Result<(), Violation>
-where
-    A::Real: Exact,
-{
+) -> Result<(), Violation> {
     let [x, y, z] = map.sample(uv);
     on_disc([x, y], uv)?;
     let height: f64 = z.exact();
@@ -224,7 +215,7 @@ fn mirrored<R: Exact, const D: usize>(
 ///
 /// # Errors
 /// [`Violation::NotInverted`].
-pub fn inverted<M: Map>(map: &M, uv: [u32; 2]) -> Result<(), Violation> {
+pub fn inverted<M: Invert>(map: &M, uv: [u32; 2]) -> Result<(), Violation> {
     let got = map.invert(map.sample(uv));
     if got == uv { Ok(()) } else { Err(Violation::NotInverted { uv, got }) }
 }
@@ -237,7 +228,7 @@ fn on_disc<R: Exact>(point: [R; 2], uv: [u32; 2]) -> Result<(), Violation> {
     if in_unit_disc([x, y]) { Ok(()) } else { Err(Violation::OutsideDisc { uv }) }
 }
 
-fn has_density<M: Map>(map: &M, point: M::Point, uv: [u32; 2]) -> Result<(), Violation>
+fn has_density<M: Density>(map: &M, point: M::Point, uv: [u32; 2]) -> Result<(), Violation>
 where
     Component<M>: Exact,
 {
@@ -260,7 +251,7 @@ pub fn consistent<S: Sequence>(sequence: &S, start: u32) -> Result<(), Violation
     let block = u.into_iter().zip(v);
     for (offset, (block, iterated)) in (0..).zip(block.zip(sequence.iter(start))) {
         let index = start.wrapping_add(offset);
-        let point = sequence.point(index);
+        let point = sequence.at(index);
         if point != iterated || point != [block.0, block.1] {
             return Err(Violation::Inconsistent { index });
         }

@@ -7,14 +7,15 @@
 extern crate std;
 
 // In the order of a point's journey.
+mod coordinates;
 pub mod domain;
 pub mod sequence;
-mod square;
 
 pub mod map;
 
 pub mod arithmetic;
 
+mod block;
 pub mod frame;
 pub mod points;
 
@@ -24,10 +25,13 @@ mod table;
 // What the journey stands on, and what it promises.
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
+#[doc(hidden)]
 pub mod bits;
+#[doc(hidden)]
 pub mod catalogue;
 mod error;
 pub mod invariant;
+mod target;
 
 pub use arithmetic::FastF32;
 #[cfg(feature = "micromath")]
@@ -36,9 +40,9 @@ pub use arithmetic::MicromathF32;
 pub use arithmetic::{LibmF32, LibmF64};
 #[cfg(feature = "fixed-point")]
 pub use arithmetic::{Q15, Q15Div, Q31};
+pub use coordinates::Coordinates;
 pub use domain::Domain;
 pub use error::{Axis, Error};
 pub use frame::Frame;
 pub use map::{Concentric, Cosine, Map, Polar, Power, Uniform, UnitSquare, disc, hemisphere};
 pub use points::Points;
-pub use square::Square;

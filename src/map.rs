@@ -14,29 +14,68 @@ pub mod disc;
 pub mod hemisphere;
 mod unit_square;
 
-pub use disc::{Concentric, DiscMap, Polar};
-pub use hemisphere::{Cosine, Hemisphere, Lobe, Power, Uniform};
+pub use disc::{Concentric, Polar};
+pub use hemisphere::{Cosine, Power, Uniform};
 pub use unit_square::UnitSquare;
 
-use crate::arithmetic::Arithmetic;
-use crate::sequence::{BLOCK, Block};
+pub use crate::block::Point;
+
+use crate::block::Block;
 
 /// A component of the points of a map.
-pub type Component<M> = <<M as Map>::Arithmetic as Arithmetic>::Real;
+pub type Component<M> = <<M as Map>::Point as Point>::Component;
 
-/// A one-to-one map of the unit square onto a disc, a hemisphere or itself.
+/// A map of the unit square onto a disc, a hemisphere or itself.
+///
+/// A map of your own needs [`sample`](Self::sample) alone. With [`Density`] it is an aperture of a
+/// lens and has weights. [`Invert`] is for maps that are one-to-one.
+///
+/// ```
+/// use hemidisc::{FastF32, Map, Points, sequence::Sobol};
+///
+/// /// A ring: the unit disc without a disc of half its radius.
+/// #[derive(Clone, Copy)]
+/// struct Ring;
+///
+/// impl Map for Ring {
+///     type Point = [f32; 2];
+///
+///     fn sample(&self, [u, v]: [u32; 2]) -> [f32; 2] {
+///         // The polar map reads v as r^2.
+///         FastF32::polar([u, v - v / 4 + (1 << 30)])
+///     }
+/// }
+///
+/// let points: [[f32; 2]; 16] = Points::new(Sobol::new(0), Ring).to_array()?;
+/// assert!(points.iter().all(|[x, y]| x * x + y * y >= 0.249));
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
 pub trait Map: Copy {
-    /// The arithmetic it computes in.
-    type Arithmetic: Arithmetic;
     /// Its points: `[Real; 2]` or `[Real; 3]`.
-    type Point: Copy + Default;
+    type Point: Point;
 
     /// The point of a pair of coordinates; every bit pattern is valid.
     fn sample(&self, uv: [u32; 2]) -> Self::Point;
 
+    /// The points of a block of coordinates, a component after another: the same bits as
+    /// [`sample`](Self::sample) gives.
+    ///
+    /// LLVM vectorises a branchless kernel where components are stored into arrays of their own.
+    #[inline(always)]
+    fn sample_block(&self, u: &Block, v: &Block, out: &mut <Self::Point as Point>::Components) {
+        for (lane, (u, v)) in u.iter().zip(v).enumerate() {
+            self.sample([*u, *v]).put(out, lane);
+        }
+    }
+}
+
+/// A map whose density is known.
+pub trait Density: Map {
     /// The density of samples at a point: per unit of area on the square and the disc, per
-    /// steradian on the hemisphere; 0 outside. Positive and finite at every sampled point, but for
-    /// one that a frame has turned ([`About`](crate::frame::About)).
+    /// steradian on the hemisphere; 0 outside.
+    ///
+    /// It is positive and finite at every sampled point, but for one that a frame has turned
+    /// ([`About`](crate::frame::About)).
     fn density(&self, point: Self::Point) -> Component<Self>;
 
     /// The point of a pair of coordinates and its density: what a weight f / p needs.
@@ -45,47 +84,33 @@ pub trait Map: Copy {
         let point = self.sample(uv);
         (point, self.density(point))
     }
+}
 
-    /// The coordinates that [`sample`](Self::sample) sends to a point, or the nearest it can tell.
+/// A one-to-one map.
+pub trait Invert: Density {
+    /// The coordinates that [`sample`](Map::sample) sends to a point, or the nearest it can tell.
     ///
-    /// Total: a point off the disc or the hemisphere, or not a number, gives some coordinates.
+    /// Total: a point off the disc or the hemisphere, or NaN, gives some coordinates.
     fn invert(&self, point: Self::Point) -> [u32; 2];
-
-    /// The points of a block of coordinates; the same bits as [`sample`](Self::sample) gives.
-    #[inline(always)]
-    fn sample_block(&self, u: &Block, v: &Block, out: &mut [Self::Point; BLOCK]) {
-        for (slot, (u, v)) in out.iter_mut().zip(u.iter().zip(v)) {
-            *slot = self.sample([*u, *v]);
-        }
-    }
 }
 
-/// The points of a block, a component at a time: LLVM vectorises a branchless kernel so, but not where the
-/// array is stored whole, nor where a closure hides a long kernel from the inliner. Stored among other
-/// components at once, it would fill half of each vector.
-#[inline(always)]
-pub(crate) fn by_component<R: Copy + Default, const D: usize, M: Map<Point = [R; D]>>(
-    map: &M,
-    u: &Block,
-    v: &Block,
-    out: &mut [[R; D]; BLOCK],
-) {
-    let mut components = [[R::default(); BLOCK]; D];
-    for (lane, (u, v)) in u.iter().zip(v).enumerate() {
-        for (component, value) in components.iter_mut().zip(map.sample([*u, *v])) {
-            component[lane] = value;
-        }
-    }
-    for (lane, slot) in out.iter_mut().enumerate() {
-        for (value, component) in slot.iter_mut().zip(&components) {
-            *value = component[lane];
-        }
-    }
-}
-
-/// A sample of two uniform words of a generator, u first: `rand`'s trait for every map.
+/// `rand`'s trait: a sample of two uniform words of a generator, u first.
 #[cfg(feature = "rand")]
-pub(crate) fn draw<M: Map, R: rand::Rng + ?Sized>(map: &M, rng: &mut R) -> M::Point {
-    let uv = [rng.next_u32(), rng.next_u32()];
-    map.sample(uv)
+macro_rules! distribution {
+    ([$($generics:tt)*] $map:ty, $point:ty $(, where $($bounds:tt)*)?) => {
+        impl<$($generics)*> rand::distr::Distribution<$point> for $map $(where $($bounds)*)? {
+            /// Draws two words, u first.
+            #[inline]
+            fn sample<G: rand::Rng + ?Sized>(&self, rng: &mut G) -> $point {
+                let uv = [rng.next_u32(), rng.next_u32()];
+                $crate::map::Map::sample(self, uv)
+            }
+        }
+    };
+}
+#[cfg(feature = "rand")]
+pub(crate) use distribution;
+
+mod sealed {
+    pub trait Sealed {}
 }

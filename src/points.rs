@@ -1,24 +1,25 @@
-//! Points: a sequence through a map, as a `Copy` value; and the one loop that fills a buffer.
+//! Points: a sequence through a map, as a `Copy` value; and the one loop that fills buffers.
 //!
 //! A part of a set is byte-identical to the same indices of the whole, so a set can be split over
 //! threads, machines or time. Filling takes single points up to a multiple of 64, whole blocks of
-//! 64 an axis at a time, then the rest; where blocks do not pay (`Arithmetic::BLOCKED`) it takes the
+//! 64 a component after another, then the rest. Where blocks do not pay (`target.rs`) it takes all
 //! points one by one. The bits are the same.
 
-use crate::arithmetic::Arithmetic;
+use crate::block::{BLOCK, Point};
 use crate::error::Error;
 use crate::map::Map;
-use crate::sequence::{BLOCK, Sequence};
+use crate::sequence::Sequence;
+use crate::target::BLOCKED;
 use core::iter::FusedIterator;
+use core::ops::{Bound, RangeBounds};
+use slots::{Apart, Slots};
 
 mod chunks;
 mod iter;
+mod slots;
 
 pub use chunks::Chunks;
 pub use iter::Iter;
-
-#[cfg(target_pointer_width = "16")]
-compile_error!("hemidisc counts points in u32 and needs a usize of at least 32 bits");
 
 /// A range of indices of a sequence, mapped.
 ///
@@ -30,7 +31,7 @@ compile_error!("hemidisc counts points in u32 and needs a usize of at least 32 b
 /// assert!(buffer.iter().all(|[x, y]| x * x + y * y <= 1.0));
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Points<S, M> {
     sequence: S,
     map: M,
@@ -44,37 +45,48 @@ impl<S: Sequence, M: Map> Points<S, M> {
         Self { sequence, map, start: 0, len: sequence.size().unwrap_or(u32::MAX) }
     }
 
-    /// `count` points of `sequence` from index `start`; the way to index `u32::MAX`.
+    /// The points of a range of indices of `sequence`: the way to index `u32::MAX`.
+    ///
+    /// An unbounded end is the end of the set.
     ///
     /// # Errors
-    /// [`Error::Range`] if they are not within the set, or not below 2^32.
-    pub fn of_range(sequence: S, map: M, start: u32, count: u32) -> Result<Self, Error> {
-        let end = u64::from(start) + u64::from(count);
-        let len = sequence.size().map_or(1 << 32, u64::from);
-        if end > len {
-            return Err(Error::Range { start, count, len });
-        }
-        Ok(Self { sequence, map, start, len: count })
+    /// [`Error::Range`] if the range is not within the set, or is of 2^32 points.
+    ///
+    /// ```
+    /// use hemidisc::{Concentric, LibmF32, Points, sequence::Sobol};
+    /// let map = Concentric::<LibmF32>::new();
+    /// let last = Points::with_range(Sobol::new(0), map, u32::MAX - 3..=u32::MAX)?;
+    /// assert_eq!(last.len(), 4);
+    /// # Ok::<(), hemidisc::Error>(())
+    /// ```
+    pub fn with_range(sequence: S, map: M, range: impl RangeBounds<u32>) -> Result<Self, Error> {
+        let (start, len) = resolve(range, sequence.size().map_or(1 << 32, u64::from))?;
+        Ok(Self { sequence, map, start, len })
     }
 
-    /// `count` points of this set, from its `start`-th on.
+    /// The points of a range of this set, counted from its first.
     ///
     /// # Errors
-    /// [`Error::Range`] if they are not within this set.
-    pub fn range(self, start: u32, count: u32) -> Result<Self, Error> {
-        let len = u64::from(self.len);
-        if u64::from(start) + u64::from(count) > len {
-            return Err(Error::Range { start, count, len });
-        }
-        Ok(Self { start: self.start.wrapping_add(start), len: count, ..self })
+    /// [`Error::Range`] if it is not within this set.
+    ///
+    /// ```
+    /// use hemidisc::{Concentric, LibmF32, Points, sequence::Sobol};
+    /// let lens = Points::new(Sobol::new(0), Concentric::<LibmF32>::new());
+    /// let second = lens.range(64..128)?;
+    /// assert_eq!(second.get(0), lens.get(64));
+    /// # Ok::<(), hemidisc::Error>(())
+    /// ```
+    pub fn range(self, range: impl RangeBounds<u32>) -> Result<Self, Error> {
+        let (start, len) = resolve(range, self.len.into())?;
+        Ok(Self { start: self.start.wrapping_add(start), len, ..self })
     }
 
     /// The first `count` points.
     ///
     /// # Errors
     /// [`Error::Range`] if there are fewer.
-    pub fn first(self, count: u32) -> Result<Self, Error> {
-        self.range(0, count)
+    pub fn take(self, count: u32) -> Result<Self, Error> {
+        self.range(..count)
     }
 
     /// The points before and from `middle`.
@@ -82,8 +94,8 @@ impl<S: Sequence, M: Map> Points<S, M> {
     /// # Errors
     /// [`Error::Range`] if `middle` exceeds the length.
     pub fn split_at(self, middle: u32) -> Result<(Self, Self), Error> {
-        let before = self.range(0, middle)?;
-        let after = self.range(middle, self.len - middle)?;
+        let before = self.range(..middle)?;
+        let after = self.range(middle..)?;
         Ok((before, after))
     }
 
@@ -97,8 +109,7 @@ impl<S: Sequence, M: Map> Points<S, M> {
         }
         // Below `len`, for shard + 1 <= of.
         let edge = |k: u64| (u64::from(self.len) * k / u64::from(of)) as u32;
-        let start = edge(shard.into());
-        self.range(start, edge(u64::from(shard) + 1) - start)
+        self.range(edge(shard.into())..edge(u64::from(shard) + 1))
     }
 
     /// How many points there are.
@@ -130,7 +141,7 @@ impl<S: Sequence, M: Map> Points<S, M> {
     /// The coordinates of the `index`-th point on the unit square, if there is one.
     #[inline]
     pub fn coordinates(&self, index: u32) -> Option<[u32; 2]> {
-        (index < self.len).then(|| self.sequence.point(self.start.wrapping_add(index)))
+        (index < self.len).then(|| self.sequence.at(self.start.wrapping_add(index)))
     }
 
     /// The coordinates of all points in order: candidates for rejection, or for a map of one's own.
@@ -138,7 +149,7 @@ impl<S: Sequence, M: Map> Points<S, M> {
         &self,
     ) -> impl ExactSizeIterator<Item = [u32; 2]> + DoubleEndedIterator + FusedIterator + Clone {
         let Self { sequence, start, len, .. } = *self;
-        (0..len).map(move |index| sequence.point(start.wrapping_add(index)))
+        (0..len).map(move |index| sequence.at(start.wrapping_add(index)))
     }
 
     /// The points in order.
@@ -153,34 +164,13 @@ impl<S: Sequence, M: Map> Points<S, M> {
     pub fn fill(&self, buffer: &mut [M::Point]) -> usize {
         let count = buffer.len().min(self.len as usize);
         let Some(buffer) = buffer.get_mut(..count) else { return 0 };
-        if M::Arithmetic::BLOCKED {
-            let ahead = (self.start.wrapping_neg() % BLOCK as u32) as usize;
-            let (head, rest) = buffer.split_at_mut(ahead.min(count));
-            self.fill_singly(self.start, head);
-            let mut start = self.start.wrapping_add(ahead as u32);
-            let (blocks, tail) = rest.as_chunks_mut::<BLOCK>();
-            let (mut u, mut v) = ([0; BLOCK], [0; BLOCK]);
-            for block in blocks {
-                self.sequence.block(start, &mut u, &mut v);
-                self.map.sample_block(&u, &v, block);
-                start = start.wrapping_add(BLOCK as u32);
-            }
-            self.fill_singly(start, tail);
-        } else {
-            self.fill_singly(self.start, buffer);
-        }
-        count
+        self.fill_slots(buffer, count)
     }
 
-    #[inline(always)]
-    fn fill_singly(&self, start: u32, buffer: &mut [M::Point]) {
-        self.sequence.fill_with(start, buffer, |uv| self.map.sample(uv));
-    }
-
-    /// Writes the components of points into a buffer each, until the shortest ends or the set; says how
-    /// many points.
+    /// Writes the components of points into a buffer each, until the shortest ends or the set; says
+    /// how many points.
     ///
-    /// The numbers are those of [`fill`](Self::fill); the rest of longer buffers is left as it is.
+    /// The numbers are those of [`fill`](Self::fill). The rest of longer buffers is left as it is.
     ///
     /// ```
     /// use hemidisc::{Cosine, FastF32, Points, sequence::Sobol};
@@ -192,42 +182,37 @@ impl<S: Sequence, M: Map> Points<S, M> {
     #[inline]
     pub fn fill_components<R: Copy + Default, const D: usize>(
         &self,
-        mut buffers: [&mut [R]; D],
+        buffers: [&mut [R]; D],
     ) -> usize
     where
         M: Map<Point = [R; D]>,
     {
         let shortest = buffers.iter().map(|buffer| buffer.len()).min().unwrap_or(0);
         let count = shortest.min(self.len as usize);
-        // LLVM vectorises the stores into arrays of its own, not those into the caller's slices.
-        let mut block = [[R::default(); BLOCK]; D];
-        let mut done = 0;
-        while done < count {
-            let start = self.start.wrapping_add(done as u32);
-            // Up to the next multiple of 64, so that all but the first and the last are whole blocks.
-            let size = (BLOCK - start as usize % BLOCK).min(count - done);
-            if size == BLOCK && M::Arithmetic::BLOCKED {
-                let (mut u, mut v) = ([0; BLOCK], [0; BLOCK]);
-                self.sequence.block(start, &mut u, &mut v);
-                for (lane, (u, v)) in u.into_iter().zip(v).enumerate() {
-                    let point = self.map.sample([u, v]);
-                    for (component, value) in block.iter_mut().zip(point) {
-                        component[lane] = value;
-                    }
-                }
-            } else {
-                for (lane, uv) in self.sequence.iter(start).take(size).enumerate() {
-                    for (component, value) in block.iter_mut().zip(self.map.sample(uv)) {
-                        component[lane] = value;
-                    }
-                }
-            }
-            for (buffer, component) in buffers.iter_mut().zip(&block) {
-                let slots = buffer.iter_mut().skip(done);
-                slots.zip(component.iter().take(size)).for_each(|(slot, value)| *slot = *value);
-            }
-            done += size;
+        self.fill_slots(Apart(buffers), count)
+    }
+
+    /// The loop that fills slots, of which there are `count` at least.
+    #[inline(always)]
+    fn fill_slots(&self, slots: impl Slots<M::Point>, count: usize) -> usize {
+        let Self { sequence, map, start, .. } = *self;
+        if !BLOCKED {
+            slots.fill_singly(count, &sequence, start, &map);
+            return count;
         }
+        let ahead = (start.wrapping_neg() % BLOCK as u32) as usize;
+        let (head, rest) = slots.split(ahead.min(count));
+        let (mut blocks, tail) = rest.split((count - ahead.min(count)) / BLOCK * BLOCK);
+        head.fill_singly(ahead.min(count), &sequence, start, &map);
+        let mut start = start.wrapping_add(ahead as u32);
+        let (mut u, mut v, mut components) = ([0; BLOCK], [0; BLOCK], M::Point::zeros());
+        for index in 0..(count - ahead.min(count)) / BLOCK {
+            sequence.block(start, &mut u, &mut v);
+            map.sample_block(&u, &v, &mut components);
+            blocks.store(index, &components);
+            start = start.wrapping_add(BLOCK as u32);
+        }
+        tail.fill_singly((count - ahead.min(count)) % BLOCK, &sequence, start, &map);
         count
     }
 
@@ -246,7 +231,7 @@ impl<S: Sequence, M: Map> Points<S, M> {
         if N > self.len as usize {
             return Err(Error::TooShort { len: self.len, wanted: N });
         }
-        let mut array = [M::Point::default(); N];
+        let mut array = [M::Point::zero(); N];
         self.fill(&mut array);
         Ok(array)
     }
@@ -267,6 +252,28 @@ impl<S: Sequence, M: Map> Points<S, M> {
     }
 }
 
+/// Start and length of a range within a set of `len` points.
+fn resolve(range: impl RangeBounds<u32>, len: u64) -> Result<(u32, u32), Error> {
+    let start = match range.start_bound() {
+        Bound::Included(start) => u64::from(*start),
+        Bound::Excluded(before) => u64::from(*before) + 1,
+        Bound::Unbounded => 0,
+    };
+    let end = match range.end_bound() {
+        Bound::Included(last) => u64::from(*last) + 1,
+        Bound::Excluded(end) => u64::from(*end),
+        // As many as there are, or as `Points` counts.
+        Bound::Unbounded => len.min(start + u64::from(u32::MAX)).max(start),
+    };
+    let Some(count) = end.checked_sub(start) else {
+        return Err(Error::ReversedRange { start, end });
+    };
+    match (u32::try_from(start), u32::try_from(count)) {
+        (Ok(start), Ok(count)) if end <= len => Ok((start, count)),
+        _ => Err(Error::Range { start, count, len }),
+    }
+}
+
 /// Filling `heapless` vectors, which cannot panic on a short capacity.
 #[cfg(feature = "heapless")]
 impl<S: Sequence, M: Map> Points<S, M> {
@@ -276,9 +283,9 @@ impl<S: Sequence, M: Map> Points<S, M> {
     /// use hemidisc::{Concentric, LibmF32, Points, sequence::R2};
     /// let lens = Points::new(R2::new(0), Concentric::<LibmF32>::new());
     /// let mut buffer: heapless::Vec<[f32; 2], 16> = heapless::Vec::new();
-    /// assert_eq!(lens.extend_vec(&mut buffer), 16);
+    /// assert_eq!(lens.extend_heapless(&mut buffer), 16);
     /// ```
-    pub fn extend_vec<const N: usize>(&self, vec: &mut heapless::Vec<M::Point, N>) -> usize {
+    pub fn extend_heapless<const N: usize>(&self, vec: &mut heapless::Vec<M::Point, N>) -> usize {
         let before = vec.len();
         for point in self.iter().take(vec.capacity() - before) {
             // There is room, so nothing is refused.
@@ -293,12 +300,12 @@ impl<S: Sequence, M: Map> Points<S, M> {
     ///
     /// # Errors
     /// [`Error::Capacity`] if the set is larger than `N`.
-    pub fn to_vec<const N: usize>(&self) -> Result<heapless::Vec<M::Point, N>, Error> {
+    pub fn to_heapless<const N: usize>(&self) -> Result<heapless::Vec<M::Point, N>, Error> {
         if self.len as usize > N {
             return Err(Error::Capacity { len: self.len, capacity: N });
         }
         let mut vec = heapless::Vec::new();
-        self.extend_vec(&mut vec);
+        self.extend_heapless(&mut vec);
         Ok(vec)
     }
 }

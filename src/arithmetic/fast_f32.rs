@@ -29,23 +29,19 @@ mod disc;
 mod functions;
 mod power;
 
-pub use disc::FastDisc;
-pub use power::FastExponent;
-
-use super::{Arithmetic, Root};
+use super::{Arithmetic, DiscPoint, KernelOf, Root, sealed::Sealed};
+use crate::block::{Block, Lanes};
 use crate::error::Error;
-use crate::map::DiscMap;
-use crate::sequence::{BLOCK, Block};
-use disc::BRANCHES;
+use crate::target::BRANCHES;
+use disc::FastDisc;
 use functions::Functions;
-
-const NAME: &str = "fast-f32";
+use power::FastExponent;
 
 /// `f32` with polynomials of its own: the fastest on a core with an FPU, in vectors above all.
 ///
 /// Always there: it needs no feature. The bytes are the same on every target and never change within a
-/// major version of this crate. Errors are those of [`contract`](super::contract), a
-/// little above those of `libm` on f32.
+/// major version of this crate. Its errors are a little above those of `libm` on f32:
+/// docs/accuracy.md has the bounds.
 ///
 /// ```
 /// use hemidisc::{Concentric, FastF32, Map};
@@ -74,58 +70,32 @@ impl FastF32 {
     pub const fn sqrt(x: f32) -> f32 {
         functions::sqrt(x)
     }
-
-    /// The point at a distance in [0, 1] and at pi/4 t, t in [0, 1], from the x axis, for the tests.
-    #[doc(hidden)]
-    #[inline(always)]
-    pub const fn octant(distance: f32, t: f32) -> [f32; 2] {
-        FastDisc::octant::<BRANCHES>(distance, t)
-    }
-
-    /// 1 - cos(pi/4 t) and 1 - sin(pi/4 t) / t from t^2, for the tests.
-    #[doc(hidden)]
-    #[inline(always)]
-    pub const fn gaps(q: f32) -> [f32; 2] {
-        functions::gaps(q)
-    }
-
-    /// ln(1 - x) from x and 1 - x, for the tests.
-    #[doc(hidden)]
-    #[inline(always)]
-    pub const fn ln_complement(x: f32, complement: f32) -> f32 {
-        functions::ln_complement(x, complement)
-    }
-
-    /// exp x and 1 - exp x for x in [-87.3, 88], for the tests.
-    #[doc(hidden)]
-    #[inline(always)]
-    pub const fn exp(x: f32) -> [f32; 2] {
-        functions::exp(x, 0.0)
-    }
-
-    /// Arc tangent of x in [0, 1], for the tests.
-    #[doc(hidden)]
-    pub fn atan(x: f32) -> f32 {
-        <Functions as super::Float>::atan(x)
-    }
 }
+
+impl Sealed for FastF32 {}
 
 impl Root for FastF32 {
     #[inline(always)]
     fn sqrt(x: f32) -> f32 {
         functions::sqrt(x)
     }
+
+    #[inline(always)]
+    fn disc_point(disc: FastDisc) -> DiscPoint<f32> {
+        let direction = disc.place_at::<BRANCHES>(1.0);
+        DiscPoint { direction, r2: disc.r2, one_minus_r2: disc.one_minus_r2 }
+    }
 }
 
 impl Arithmetic for FastF32 {
-    const NAME: &'static str = NAME;
+    const NAME: &'static str = "fast-f32";
     const ABSOLUTE_DENSITY: bool = true;
-    const BLOCKED: bool = Functions::BLOCKED;
 
     type Real = f32;
     type Disc = FastDisc;
     type Parameter = f32;
     type Exponent = FastExponent;
+    type Back = Functions;
 
     #[inline(always)]
     fn square(uv: [u32; 2]) -> [f32; 2] {
@@ -138,12 +108,12 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
-    fn concentric<const RIM: bool>(uv: [u32; 2]) -> FastDisc {
+    fn concentric(uv: [u32; 2]) -> FastDisc {
         disc::concentric::<BRANCHES>(uv)
     }
 
     #[inline(always)]
-    fn polar<const RIM: bool>(uv: [u32; 2]) -> FastDisc {
+    fn polar(uv: [u32; 2]) -> FastDisc {
         disc::polar::<BRANCHES>(uv)
     }
 
@@ -153,50 +123,40 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
-    fn disc_block<D: DiscMap<Arithmetic = Self>>(
-        disc: &D,
-        u: &Block,
-        v: &Block,
-        out: &mut [[f32; 2]; BLOCK],
-    ) {
-        block::disc(disc, u, v, out);
+    fn disc_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 2]) {
+        block::disc::<D>(u, v, out);
     }
 
     /// sin^2 theta = 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)).
     #[inline(always)]
     fn uniform(disc: FastDisc) -> [f32; 3] {
-        let [x, y] = disc.place_at::<BRANCHES>(disc::root_to_1(disc.r2 * (1.0 + disc.rim)));
-        [x, y, disc.rim]
+        let [x, y] =
+            disc.place_at::<BRANCHES>(disc::root_to_1(disc.r2 * (1.0 + disc.one_minus_r2)));
+        [x, y, disc.one_minus_r2]
     }
 
     #[inline(always)]
-    fn uniform_block<D: DiscMap<Arithmetic = Self>>(
-        disc: &D,
-        u: &Block,
-        v: &Block,
-        out: &mut [[f32; 3]; BLOCK],
-    ) {
-        block::uniform(disc, u, v, out);
+    fn uniform_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 3]) {
+        block::uniform::<D>(u, v, out);
     }
 
     #[inline(always)]
     fn cosine(disc: FastDisc) -> [f32; 3] {
         let [x, y] = disc.point;
-        [x, y, functions::normal_sqrt(disc.rim)]
+        [x, y, functions::normal_sqrt(disc.one_minus_r2)]
     }
 
     #[inline(always)]
-    fn cosine_block<D: DiscMap<Arithmetic = Self>>(
-        disc: &D,
-        u: &Block,
-        v: &Block,
-        out: &mut [[f32; 3]; BLOCK],
-    ) {
-        block::cosine(disc, u, v, out);
+    fn cosine_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 3]) {
+        block::cosine::<D>(u, v, out);
     }
 
     fn exponent(e: f32) -> Result<FastExponent, Error> {
         FastExponent::new(e)
+    }
+
+    fn parameter(exponent: FastExponent) -> f32 {
+        exponent.value()
     }
 
     #[inline(always)]
@@ -205,78 +165,12 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
-    fn power_block<D: DiscMap<Arithmetic = Self>>(
+    fn power_block<D: KernelOf<Self>>(
         exponent: FastExponent,
-        disc: &D,
         u: &Block,
         v: &Block,
-        out: &mut [[f32; 3]; BLOCK],
+        out: &mut [Lanes<f32>; 3],
     ) {
-        block::power(exponent, disc, u, v, out);
-    }
-
-    #[inline]
-    fn load(point: [f32; 2]) -> FastDisc {
-        Functions::load(point).into()
-    }
-
-    #[inline]
-    fn lower_uniform(direction: [f32; 3]) -> FastDisc {
-        Functions::lower_uniform(direction).into()
-    }
-
-    #[inline]
-    fn lower_cosine(direction: [f32; 3]) -> FastDisc {
-        Functions::lower_cosine(direction).into()
-    }
-
-    #[inline]
-    fn lower_power(exponent: FastExponent, direction: [f32; 3]) -> FastDisc {
-        Functions::lower_power(exponent.exact, direction).into()
-    }
-
-    #[inline]
-    fn invert_square(point: [f32; 2]) -> [u32; 2] {
-        Functions::invert_square(point)
-    }
-
-    #[inline]
-    fn invert_centred(point: [f32; 2]) -> [u32; 2] {
-        Functions::invert_centred(point)
-    }
-
-    #[inline]
-    fn invert_concentric(disc: FastDisc) -> [u32; 2] {
-        Functions::invert_concentric(disc.into())
-    }
-
-    #[inline]
-    fn invert_polar(disc: FastDisc) -> [u32; 2] {
-        Functions::invert_polar(disc.into())
-    }
-
-    #[inline]
-    fn square_density(point: [f32; 2]) -> f32 {
-        Functions::square_density(point)
-    }
-
-    #[inline]
-    fn disc_density(point: [f32; 2]) -> f32 {
-        Functions::disc_density(point)
-    }
-
-    #[inline]
-    fn uniform_density(direction: [f32; 3]) -> f32 {
-        Functions::uniform_density(direction)
-    }
-
-    #[inline]
-    fn cosine_density(direction: [f32; 3]) -> f32 {
-        Functions::cosine_density(direction)
-    }
-
-    #[inline]
-    fn power_density(exponent: FastExponent, direction: [f32; 3]) -> f32 {
-        Functions::power_density(exponent.exact, direction)
+        block::power::<D>(exponent, u, v, out);
     }
 }

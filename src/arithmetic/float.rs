@@ -23,50 +23,35 @@
 //! from r^2 where r^2 < 1/2, else from 1 - r^2.
 
 mod disc;
+mod disc_point;
+mod functions;
+mod inverse;
 mod power;
 mod real;
 
-pub use disc::FloatDisc;
+pub use disc_point::DiscPoint;
+pub use functions::Float;
 pub use power::PowerExponent;
-pub use real::Real;
+pub use real::{Real, RealKernel};
 
-use super::Arithmetic;
+use super::{Arithmetic, Back, sealed::Sealed};
 use crate::error::Error;
-use core::fmt::Debug;
-pub(super) use disc::lowered;
-use disc::{length_squared, scaled};
+use disc::{FloatDisc, scaled};
+use inverse::Lowered;
 
-/// A library of elementary functions on one float type: seven functions give every map.
-///
-/// The arguments always lie in the ranges given. Errors of a function add to those of the maps; the square
-/// root must be good to 1 % for the points to stay on the disc.
-pub trait Float: Copy + Default + Debug + PartialEq + Send + Sync + 'static {
-    /// Its name on command lines and in tables.
-    const NAME: &'static str;
-    /// `f32` or `f64`.
-    type Real: Real;
-
-    /// Square root of x in [0, MAX].
-    fn sqrt(x: Self::Real) -> Self::Real;
-    /// Sine and cosine of x in [0, pi/4].
-    fn sin_cos(x: Self::Real) -> (Self::Real, Self::Real);
-    /// Arc tangent of x in [0, 1].
-    fn atan(x: Self::Real) -> Self::Real;
-    /// Logarithm of x in (0, 1].
-    fn ln(x: Self::Real) -> Self::Real;
-    /// ln(1 + x) for x in [-1/2, 0].
-    fn ln_1p(x: Self::Real) -> Self::Real;
-    /// Exponential of x, of either sign; infinite above the range, 0 below it.
-    fn exp(x: Self::Real) -> Self::Real;
-    /// exp(x) - 1 for x <= 0.
-    fn exp_m1(x: Self::Real) -> Self::Real;
-}
+impl<T: Float> Sealed for T {}
 
 /// An arithmetic of `f32` or `f64` that takes square roots: what distances and unit vectors need.
 pub trait Root: Arithmetic<Real: Real> {
-    /// Square root of x in [0, MAX]: within 2^-52 in `f64` and 2.5e-7 in `f32`, relative, for normal numbers and 0. A
-    /// subnormal one's may be 1 % off, and of other x it is no promised number.
+    /// Square root of x in [0, MAX].
+    ///
+    /// For normal numbers and 0 it is within 2^-52 in `f64` and 2.5e-7 in `f32`, relative. A
+    /// subnormal number's may be 1 % off. Of other x it is unspecified.
     fn sqrt(x: Self::Real) -> Self::Real;
+
+    /// A point of the disc in the parts that a lobe lifts.
+    #[doc(hidden)]
+    fn disc_point(disc: Self::Disc) -> DiscPoint<Self::Real>;
 }
 
 impl<T: Float> Root for T {
@@ -74,19 +59,23 @@ impl<T: Float> Root for T {
     fn sqrt(x: T::Real) -> T::Real {
         <T as Float>::sqrt(x)
     }
+
+    #[inline(always)]
+    fn disc_point(disc: FloatDisc<T::Real>) -> DiscPoint<T::Real> {
+        let FloatDisc { direction, r2, one_minus_r2, .. } = disc;
+        DiscPoint { direction, r2, one_minus_r2 }
+    }
 }
 
 impl<T: Float> Arithmetic for T {
     const NAME: &'static str = T::NAME;
     const ABSOLUTE_DENSITY: bool = true;
-    /// Blocks were faster on x86-64 for every sequence and map tried; on a microcontroller the arrays
-    /// cost more than they save.
-    const BLOCKED: bool = cfg!(not(any(target_arch = "arm", target_arch = "riscv32")));
 
     type Real = T::Real;
     type Disc = FloatDisc<T::Real>;
     type Parameter = T::Real;
     type Exponent = PowerExponent<T::Real>;
+    type Back = T;
 
     #[inline(always)]
     fn square(uv: [u32; 2]) -> [T::Real; 2] {
@@ -99,12 +88,12 @@ impl<T: Float> Arithmetic for T {
     }
 
     #[inline(always)]
-    fn concentric<const RIM: bool>(uv: [u32; 2]) -> FloatDisc<T::Real> {
+    fn concentric(uv: [u32; 2]) -> FloatDisc<T::Real> {
         disc::concentric::<T>(uv)
     }
 
     #[inline(always)]
-    fn polar<const RIM: bool>(uv: [u32; 2]) -> FloatDisc<T::Real> {
+    fn polar(uv: [u32; 2]) -> FloatDisc<T::Real> {
         disc::polar::<T>(uv)
     }
 
@@ -116,45 +105,53 @@ impl<T: Float> Arithmetic for T {
     /// sin theta = sqrt(1 - (1 - r^2)^2) = sqrt(r^2 (1 + (1 - r^2))).
     #[inline(always)]
     fn uniform(disc: FloatDisc<T::Real>) -> [T::Real; 3] {
-        let [x, y] = scaled::<T>(disc.direction, T::sqrt(disc.r2 * (T::Real::ONE + disc.rim)));
-        [x, y, disc.rim]
+        let [x, y] =
+            scaled::<T>(disc.direction, T::sqrt(disc.r2 * (T::Real::ONE + disc.one_minus_r2)));
+        [x, y, disc.one_minus_r2]
     }
 
     #[inline(always)]
     fn cosine(disc: FloatDisc<T::Real>) -> [T::Real; 3] {
         let [x, y] = scaled::<T>(disc.direction, disc.r);
-        [x, y, T::sqrt(disc.rim)]
+        [x, y, T::sqrt(disc.one_minus_r2)]
     }
 
     fn exponent(e: T::Real) -> Result<PowerExponent<T::Real>, Error> {
         PowerExponent::new::<T>(e)
     }
 
+    fn parameter(exponent: PowerExponent<T::Real>) -> T::Real {
+        exponent.value()
+    }
+
     #[inline]
     fn power(exponent: PowerExponent<T::Real>, disc: FloatDisc<T::Real>) -> [T::Real; 3] {
         power::lift::<T>(exponent, disc)
     }
+}
+
+impl<T: Float> Back for T {
+    type Real = T::Real;
+    type Lowered = Lowered<T::Real>;
+    type Exponent = PowerExponent<T::Real>;
 
     #[inline]
-    fn load(point: [T::Real; 2]) -> FloatDisc<T::Real> {
-        disc::load::<T>(point)
+    fn lower_disc(point: [T::Real; 2]) -> Lowered<T::Real> {
+        inverse::lower_disc::<T>(point)
     }
 
     #[inline]
-    fn lower_uniform([x, y, z]: [T::Real; 3]) -> FloatDisc<T::Real> {
-        lowered::<T>([x, y], length_squared(x, y) / (T::Real::ONE + z), z)
+    fn lower_uniform([x, y, z]: [T::Real; 3]) -> Lowered<T::Real> {
+        inverse::lowered::<T>([x, y], inverse::length_squared(x, y) / (T::Real::ONE + z), z)
     }
 
     #[inline]
-    fn lower_cosine([x, y, z]: [T::Real; 3]) -> FloatDisc<T::Real> {
-        lowered::<T>([x, y], length_squared(x, y), z * z)
+    fn lower_cosine([x, y, z]: [T::Real; 3]) -> Lowered<T::Real> {
+        inverse::lowered::<T>([x, y], inverse::length_squared(x, y), z * z)
     }
 
     #[inline]
-    fn lower_power(
-        exponent: PowerExponent<T::Real>,
-        direction: [T::Real; 3],
-    ) -> FloatDisc<T::Real> {
+    fn lower_power(exponent: PowerExponent<T::Real>, direction: [T::Real; 3]) -> Lowered<T::Real> {
         power::lower::<T>(exponent, direction)
     }
 
@@ -165,17 +162,17 @@ impl<T: Float> Arithmetic for T {
 
     #[inline]
     fn invert_centred(point: [T::Real; 2]) -> [u32; 2] {
-        disc::invert_centred(point)
+        inverse::centred(point)
     }
 
     #[inline]
-    fn invert_concentric(disc: FloatDisc<T::Real>) -> [u32; 2] {
-        disc::invert_concentric::<T>(disc)
+    fn invert_concentric(lowered: Lowered<T::Real>) -> [u32; 2] {
+        inverse::concentric::<T>(lowered)
     }
 
     #[inline]
-    fn invert_polar(disc: FloatDisc<T::Real>) -> [u32; 2] {
-        disc::invert_polar::<T>(disc)
+    fn invert_polar(lowered: Lowered<T::Real>) -> [u32; 2] {
+        inverse::polar::<T>(lowered)
     }
 
     #[inline]
@@ -186,7 +183,11 @@ impl<T: Float> Arithmetic for T {
 
     #[inline]
     fn disc_density([x, y]: [T::Real; 2]) -> T::Real {
-        if length_squared(x, y) <= T::Real::ONE { T::Real::FRAC_1_PI } else { T::Real::ZERO }
+        if inverse::length_squared(x, y) <= T::Real::ONE {
+            T::Real::FRAC_1_PI
+        } else {
+            T::Real::ZERO
+        }
     }
 
     #[inline]

@@ -10,17 +10,13 @@
 //! The lobes narrow as the exponent grows, and at e = 1e8 a direction is (x, y, 1 - LSB) with x and y of
 //! at most 16 LSB: right to 0.51 of one, but with few directions to tell apart, and theta no better.
 
-use super::fixed::{FixedExponent, Q15, Q31};
-use super::{Arithmetic, Q15Div, Q31Disc};
-use crate::error::Error;
-
-mod disc;
-mod lobes;
+pub(super) mod disc;
+pub(super) mod lobes;
 mod tables;
 
-pub use disc::Q15Disc;
-pub(super) use disc::concentric;
-pub use lobes::Q15Exponent;
+use super::Back;
+use super::fixed::{Q15, Q31};
+use super::q31::{Lowered, Q31Exponent};
 
 impl Q15 {
     /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at compile time.
@@ -32,7 +28,7 @@ impl Q15 {
     /// ```
     #[inline(always)]
     pub const fn concentric(uv: [u32; 2]) -> [Self; 2] {
-        disc::concentric::<false>(uv).store()
+        disc::concentric(uv).store()
     }
 
     /// The polar map, as [`Polar`](crate::Polar) stores it.
@@ -56,149 +52,155 @@ impl Q15 {
 }
 
 /// `Arithmetic` for an arithmetic on Q15, which has a concentric kernel of its own.
-macro_rules! arithmetic {
-    ($arithmetic:ty, $name:literal, $divides:literal) => {
-        impl Arithmetic for $arithmetic {
-            const NAME: &'static str = $name;
-            const ABSOLUTE_DENSITY: bool = false;
-            const BLOCKED: bool = cfg!(not(any(target_arch = "arm", target_arch = "riscv32")));
+macro_rules! arithmetic_on_q15 {
+    ($arithmetic:ty, $name:literal, $concentric:path) => {
+        impl $crate::arithmetic::sealed::Sealed for $arithmetic {}
 
-            type Real = Q15;
-            type Disc = Q15Disc;
-            type Parameter = FixedExponent;
-            type Exponent = Q15Exponent;
+        const _: () = {
+            use $crate::arithmetic::fixed::{FixedExponent, Q15};
+            use $crate::arithmetic::q15::{
+                Widened, disc, disc::Q15Disc, lobes, lobes::Q15Exponent,
+            };
 
-            #[inline(always)]
-            fn square(uv: [u32; 2]) -> [Q15; 2] {
-                uv.map(|k| Q15::from_bits((k >> 17) as i16))
+            impl $crate::arithmetic::Arithmetic for $arithmetic {
+                const NAME: &'static str = $name;
+                const ABSOLUTE_DENSITY: bool = false;
+
+                type Real = Q15;
+                type Disc = Q15Disc;
+                type Parameter = FixedExponent;
+                type Exponent = Q15Exponent;
+                type Back = Widened;
+
+                #[inline(always)]
+                fn square(uv: [u32; 2]) -> [Q15; 2] {
+                    uv.map(|k| Q15::from_bits((k >> 17) as i16))
+                }
+
+                /// The magnitude of the cell's inner edge, so that inside stays inside.
+                #[inline(always)]
+                fn centred(uv: [u32; 2]) -> [Q15; 2] {
+                    uv.map(|k| {
+                        let (a, positive) = disc::odd_magnitude(k);
+                        disc::signed(a >> 1, positive)
+                    })
+                }
+
+                #[inline(always)]
+                fn concentric(uv: [u32; 2]) -> Q15Disc {
+                    $concentric(uv)
+                }
+
+                #[inline(always)]
+                fn polar(uv: [u32; 2]) -> Q15Disc {
+                    disc::polar(uv)
+                }
+
+                #[inline(always)]
+                fn store(disc: Q15Disc) -> [Q15; 2] {
+                    disc.store()
+                }
+
+                #[inline(always)]
+                fn uniform(disc: Q15Disc) -> [Q15; 3] {
+                    lobes::uniform(disc)
+                }
+
+                #[inline(always)]
+                fn cosine(disc: Q15Disc) -> [Q15; 3] {
+                    lobes::cosine(disc)
+                }
+
+                fn exponent(parameter: FixedExponent) -> Result<Q15Exponent, $crate::Error> {
+                    Ok(Q15Exponent::new(parameter))
+                }
+
+                fn parameter(exponent: Q15Exponent) -> FixedExponent {
+                    exponent.value()
+                }
+
+                #[inline]
+                fn power(exponent: Q15Exponent, disc: Q15Disc) -> [Q15; 3] {
+                    lobes::power(exponent, disc)
+                }
             }
-
-            /// The magnitude of the cell's inner edge, so that inside stays inside.
-            #[inline(always)]
-            fn centred(uv: [u32; 2]) -> [Q15; 2] {
-                uv.map(|k| {
-                    let (a, sign) = disc::fold(k);
-                    disc::signed(a >> 1, sign)
-                })
-            }
-
-            #[inline(always)]
-            fn concentric<const RIM: bool>(uv: [u32; 2]) -> Q15Disc {
-                disc::concentric::<$divides>(uv)
-            }
-
-            #[inline(always)]
-            fn polar<const RIM: bool>(uv: [u32; 2]) -> Q15Disc {
-                disc::polar(uv)
-            }
-
-            #[inline(always)]
-            fn store(disc: Q15Disc) -> [Q15; 2] {
-                disc.store()
-            }
-
-            #[inline(always)]
-            fn uniform(disc: Q15Disc) -> [Q15; 3] {
-                lobes::uniform(disc)
-            }
-
-            #[inline(always)]
-            fn cosine(disc: Q15Disc) -> [Q15; 3] {
-                lobes::cosine(disc)
-            }
-
-            fn exponent(parameter: FixedExponent) -> Result<Q15Exponent, Error> {
-                Ok(Q15Exponent::new(parameter))
-            }
-
-            #[inline]
-            fn power(exponent: Q15Exponent, disc: Q15Disc) -> [Q15; 3] {
-                lobes::power(exponent, disc)
-            }
-
-            #[inline]
-            fn load(point: [Q15; 2]) -> Q15Disc {
-                Q31::load(point.map(Q15::widened)).into()
-            }
-
-            #[inline]
-            fn lower_uniform(direction: [Q15; 3]) -> Q15Disc {
-                Q31::lower_uniform(direction.map(Q15::widened)).into()
-            }
-
-            #[inline]
-            fn lower_cosine(direction: [Q15; 3]) -> Q15Disc {
-                Q31::lower_cosine(direction.map(Q15::widened)).into()
-            }
-
-            #[inline]
-            fn lower_power(exponent: Q15Exponent, direction: [Q15; 3]) -> Q15Disc {
-                Q31::lower_power(exponent.wide(), direction.map(Q15::widened)).into()
-            }
-
-            #[inline]
-            fn invert_square(point: [Q15; 2]) -> [u32; 2] {
-                Q31::invert_square(point.map(Q15::widened))
-            }
-
-            #[inline]
-            fn invert_centred(point: [Q15; 2]) -> [u32; 2] {
-                Q31::invert_centred(point.map(Q15::widened))
-            }
-
-            #[inline]
-            fn invert_concentric(disc: Q15Disc) -> [u32; 2] {
-                Q31::invert_concentric(disc.into())
-            }
-
-            #[inline]
-            fn invert_polar(disc: Q15Disc) -> [u32; 2] {
-                Q31::invert_polar(disc.into())
-            }
-
-            #[inline]
-            fn square_density(point: [Q15; 2]) -> Q15 {
-                Q15::narrowed(Q31::square_density(point.map(Q15::widened)))
-            }
-
-            #[inline]
-            fn disc_density(point: [Q15; 2]) -> Q15 {
-                Q15::narrowed(Q31::disc_density(point.map(Q15::widened)))
-            }
-
-            #[inline]
-            fn uniform_density(direction: [Q15; 3]) -> Q15 {
-                Q15::narrowed(Q31::uniform_density(direction.map(Q15::widened)))
-            }
-
-            #[inline]
-            fn cosine_density(direction: [Q15; 3]) -> Q15 {
-                Q15::narrowed(Q31::cosine_density(direction.map(Q15::widened)))
-            }
-
-            #[inline]
-            fn power_density(exponent: Q15Exponent, direction: [Q15; 3]) -> Q15 {
-                Q15::narrowed(Q31::power_density(exponent.wide(), direction.map(Q15::widened)))
-            }
-        }
+        };
     };
 }
-arithmetic!(Q15, "q15", false);
-arithmetic!(Q15Div, "q15-div", true);
+pub(super) use arithmetic_on_q15;
+arithmetic_on_q15!(Q15, "q15", disc::concentric);
 
-impl From<Q31Disc> for Q15Disc {
-    /// For the inverses: the direction, and r^2, which is not 0.
-    fn from(wide: Q31Disc) -> Self {
-        let r2 = (wide.r2 >> 32) as u32;
-        Self { magnitude: [wide.x >> 1, wide.y >> 1], sign: wide.signs, r2: r2.max(1) }
+/// The way back of Q15: that of Q31 on the widened point.
+#[derive(Clone, Copy, Debug)]
+pub struct Widened;
+
+impl Back for Widened {
+    type Real = Q15;
+    type Lowered = Lowered;
+    type Exponent = Q31Exponent;
+
+    #[inline]
+    fn lower_disc(point: [Q15; 2]) -> Lowered {
+        Q31::lower_disc(point.map(Q15::widened))
     }
-}
 
-impl From<Q15Disc> for Q31Disc {
-    fn from(disc: Q15Disc) -> Self {
-        let ([x, y], r2) = (disc.magnitude, u64::from(disc.r2) << 32);
-        // At most 2^31 each.
-        let wide = |magnitude: u32| magnitude.saturating_mul(2);
-        Self { x: wide(x), y: wide(y), signs: disc.sign, r2, rim: r2.wrapping_neg() }
+    #[inline]
+    fn lower_uniform(direction: [Q15; 3]) -> Lowered {
+        Q31::lower_uniform(direction.map(Q15::widened))
+    }
+
+    #[inline]
+    fn lower_cosine(direction: [Q15; 3]) -> Lowered {
+        Q31::lower_cosine(direction.map(Q15::widened))
+    }
+
+    #[inline]
+    fn lower_power(exponent: Q31Exponent, direction: [Q15; 3]) -> Lowered {
+        Q31::lower_power(exponent, direction.map(Q15::widened))
+    }
+
+    #[inline]
+    fn invert_square(point: [Q15; 2]) -> [u32; 2] {
+        Q31::invert_square(point.map(Q15::widened))
+    }
+
+    #[inline]
+    fn invert_centred(point: [Q15; 2]) -> [u32; 2] {
+        Q31::invert_centred(point.map(Q15::widened))
+    }
+
+    #[inline]
+    fn invert_concentric(lowered: Lowered) -> [u32; 2] {
+        Q31::invert_concentric(lowered)
+    }
+
+    #[inline]
+    fn invert_polar(lowered: Lowered) -> [u32; 2] {
+        Q31::invert_polar(lowered)
+    }
+
+    #[inline]
+    fn square_density(point: [Q15; 2]) -> Q15 {
+        Q15::narrowed(Q31::square_density(point.map(Q15::widened)))
+    }
+
+    #[inline]
+    fn disc_density(point: [Q15; 2]) -> Q15 {
+        Q15::narrowed(Q31::disc_density(point.map(Q15::widened)))
+    }
+
+    #[inline]
+    fn uniform_density(direction: [Q15; 3]) -> Q15 {
+        Q15::narrowed(Q31::uniform_density(direction.map(Q15::widened)))
+    }
+
+    #[inline]
+    fn cosine_density(direction: [Q15; 3]) -> Q15 {
+        Q15::narrowed(Q31::cosine_density(direction.map(Q15::widened)))
+    }
+
+    #[inline]
+    fn power_density(exponent: Q31Exponent, direction: [Q15; 3]) -> Q15 {
+        Q15::narrowed(Q31::power_density(exponent, direction.map(Q15::widened)))
     }
 }

@@ -4,7 +4,8 @@
 //! The coefficients are minimax on [0, 1], moved a little inward (tests/derive/q15_div.sollya).
 
 use super::fixed::Q15;
-use super::q15::concentric;
+use super::q15::arithmetic_on_q15;
+use super::q15::disc::{Q15Disc, odd_magnitude};
 
 /// The arithmetic of [`Q15`] with a concentric kernel for cores that divide: no table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,7 +15,7 @@ impl Q15Div {
     /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at compile time.
     #[inline(always)]
     pub const fn concentric(uv: [u32; 2]) -> [Q15; 2] {
-        concentric::<true>(uv).store()
+        Self::disc(uv).store()
     }
 
     /// The polar map, as [`Polar`](crate::Polar) stores it.
@@ -22,11 +23,26 @@ impl Q15Div {
     pub const fn polar(uv: [u32; 2]) -> [Q15; 2] {
         Q15::polar(uv)
     }
+
+    #[inline(always)]
+    const fn disc([u, v]: [u32; 2]) -> Q15Disc {
+        let ((u, u_positive), (v, v_positive)) = (odd_magnitude(u), odd_magnitude(v));
+        let positive = [u_positive, v_positive];
+        if v > u {
+            let (y, x) = rotate(v, u);
+            Q15Disc { magnitude: [x, y], positive, r2: v * v }
+        } else {
+            let (x, y) = rotate(u, v);
+            Q15Disc { magnitude: [x, y], positive, r2: u * u }
+        }
+    }
 }
+
+arithmetic_on_q15!(Q15Div, "q15-div", Q15Div::disc);
 
 /// (a cos, a sin) of the angle pi/4 b/a, in 2^-31; a and b odd, b <= a < 2^16.
 #[inline(always)]
-pub(super) const fn turned(a: u32, b: u32) -> (u32, u32) {
+const fn rotate(a: u32, b: u32) -> (u32, u32) {
     // b/a and its square in 2^-16, less than 1. An odd number is not 0, which the compiler may not see.
     let t = ((b << 16) - 1) / (a | 1);
     let q = (t * t) >> 16;

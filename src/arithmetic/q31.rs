@@ -17,15 +17,16 @@ mod disc;
 mod inverse;
 mod power;
 
-pub use disc::Q31Disc;
-pub use power::Q31Exponent;
+pub(super) use inverse::Lowered;
+pub(super) use power::Q31Exponent;
 
 use super::fixed::root::root;
 use super::fixed::wide::high;
-use super::{Arithmetic, FixedExponent, Q31};
+use super::fixed::{FixedExponent, Q31};
+use super::{Arithmetic, Back, sealed::Sealed};
+use crate::coordinates::fold;
 use crate::error::Error;
-use crate::square::fold;
-use disc::{nearest, signed};
+use disc::{Q31Disc, nearest, signed};
 use inverse::{above, length_squared};
 
 impl Q31 {
@@ -48,15 +49,17 @@ impl Q31 {
     }
 }
 
+impl Sealed for Q31 {}
+
 impl Arithmetic for Q31 {
     const NAME: &'static str = "q31";
     const ABSOLUTE_DENSITY: bool = false;
-    const BLOCKED: bool = cfg!(not(any(target_arch = "arm", target_arch = "riscv32")));
 
     type Real = Self;
     type Disc = Q31Disc;
     type Parameter = FixedExponent;
     type Exponent = Q31Exponent;
+    type Back = Self;
 
     #[inline(always)]
     fn square(uv: [u32; 2]) -> [Self; 2] {
@@ -73,12 +76,17 @@ impl Arithmetic for Q31 {
     }
 
     #[inline(always)]
-    fn concentric<const RIM: bool>(uv: [u32; 2]) -> Q31Disc {
-        disc::concentric::<RIM>(uv)
+    fn concentric(uv: [u32; 2]) -> Q31Disc {
+        disc::concentric::<true>(uv)
     }
 
     #[inline(always)]
-    fn polar<const RIM: bool>(uv: [u32; 2]) -> Q31Disc {
+    fn concentric_point(uv: [u32; 2]) -> [Self; 2] {
+        Self::concentric(uv)
+    }
+
+    #[inline(always)]
+    fn polar(uv: [u32; 2]) -> Q31Disc {
         disc::polar(uv)
     }
 
@@ -89,48 +97,57 @@ impl Arithmetic for Q31 {
 
     #[inline(always)]
     fn uniform(disc: Q31Disc) -> [Self; 3] {
-        // sqrt(1 + rim) / 2, so that a product with it is in LSBs.
-        let half = root((1 << 62) + (disc.rim >> 2));
+        // sqrt(1 + (1 - r^2)) / 2, so that a product with it is in LSBs.
+        let half = root((1 << 62) + (disc.one_minus_r2 >> 2));
         // Toward zero, for no point may leave the hemisphere.
         let scaled = |x: u32| high(x, half);
-        let [sign_x, sign_y] = disc.signs;
-        let (x, y) = (signed(scaled(disc.x), sign_x), signed(scaled(disc.y), sign_y));
-        [x, y, nearest((disc.rim >> 32) as u32)]
+        let [x_positive, y_positive] = disc.positive;
+        let (x, y) = (signed(scaled(disc.x), x_positive), signed(scaled(disc.y), y_positive));
+        [x, y, nearest((disc.one_minus_r2 >> 32) as u32)]
     }
 
     #[inline(always)]
     fn cosine(disc: Q31Disc) -> [Self; 3] {
         let [x, y] = disc.store();
-        [x, y, nearest(root(disc.rim))]
+        [x, y, nearest(root(disc.one_minus_r2))]
     }
 
     fn exponent(parameter: FixedExponent) -> Result<Q31Exponent, Error> {
         Ok(Q31Exponent::new(parameter))
     }
 
+    fn parameter(exponent: Q31Exponent) -> FixedExponent {
+        exponent.value()
+    }
+
     #[inline]
     fn power(exponent: Q31Exponent, disc: Q31Disc) -> [Self; 3] {
         power::lift(exponent, disc)
     }
+}
+
+impl Back for Q31 {
+    type Real = Self;
+    type Lowered = Lowered;
+    type Exponent = Q31Exponent;
 
     #[inline]
-    fn load([x, y]: [Self; 2]) -> Q31Disc {
-        let r2 = length_squared(x, y);
-        Q31Disc::lowered(x, y, r2)
+    fn lower_disc([x, y]: [Self; 2]) -> Lowered {
+        Lowered::new(x, y, length_squared(x, y))
     }
 
     #[inline]
-    fn lower_uniform(direction: [Self; 3]) -> Q31Disc {
+    fn lower_uniform(direction: [Self; 3]) -> Lowered {
         inverse::lower_uniform(direction)
     }
 
     #[inline]
-    fn lower_cosine(direction: [Self; 3]) -> Q31Disc {
+    fn lower_cosine(direction: [Self; 3]) -> Lowered {
         inverse::lower_cosine(direction)
     }
 
     #[inline]
-    fn lower_power(exponent: Q31Exponent, direction: [Self; 3]) -> Q31Disc {
+    fn lower_power(exponent: Q31Exponent, direction: [Self; 3]) -> Lowered {
         power::lower(exponent, direction)
     }
 
@@ -145,13 +162,13 @@ impl Arithmetic for Q31 {
     }
 
     #[inline]
-    fn invert_concentric(disc: Q31Disc) -> [u32; 2] {
-        inverse::concentric(disc)
+    fn invert_concentric(lowered: Lowered) -> [u32; 2] {
+        inverse::concentric(lowered)
     }
 
     #[inline]
-    fn invert_polar(disc: Q31Disc) -> [u32; 2] {
-        inverse::polar(disc)
+    fn invert_polar(lowered: Lowered) -> [u32; 2] {
+        inverse::polar(lowered)
     }
 
     #[inline]

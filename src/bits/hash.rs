@@ -53,7 +53,7 @@ pub(crate) const fn key(seed: u32, purpose: [u8; 4]) -> u32 {
 }
 
 /// A counter hash from an index to a pair of independent uniform words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Pairs {
     index: u32,
     u: u32,
@@ -78,7 +78,7 @@ impl Pairs {
 
 /// A counter hash from an index to a pair of independent uniform fractions of 16 bits: to jitter a point within
 /// its cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Jitter {
     key: u32,
 }

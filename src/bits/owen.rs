@@ -6,6 +6,8 @@
 //! 9(4), 2020) with the constants of N. Vegdahl's 2021 search, as in the crate `sobol_burley`.
 //! `seed` must be well mixed already: consecutive integers will not do.
 
+use crate::block::{BLOCK, Block, Lanes};
+
 const MULTIPLIERS: [u32; 3] = [0x3d20_adea, 0x0552_6c56, 0x53a2_2864];
 
 /// Owen-scrambles `x`, whose bits are reversed: bit b of the result depends on bits 0..=b of `x`.
@@ -32,7 +34,7 @@ pub const fn scramble(x: u32, seed: u32) -> u32 {
 /// step carries into the six. Modulo 64 a step takes 16 bits, of which the smallest vector has eight and a product is
 /// one operation.
 #[inline(always)]
-pub(crate) fn scramble_low(first: u32, seed: u32) -> [u16; 64] {
+pub(crate) fn scramble_low(first: u32, seed: u32) -> Lanes<u16> {
     const LOWER: u32 = (1 << 26) - 1;
     let carried = |sum: u32| (sum >> 26) as u16;
     let [m0, m1, m2] = MULTIPLIERS.map(|multiplier| multiplier as u16);
@@ -46,7 +48,7 @@ pub(crate) fn scramble_low(first: u32, seed: u32) -> [u16; 64] {
     let p1 = x.wrapping_mul(MULTIPLIERS[1]);
     let p2 = ((x ^ p1) & LOWER).wrapping_mul(MULTIPLIERS[2]);
 
-    let mut places = [0; 64];
+    let mut places = [0; BLOCK];
     for (place, low) in places.iter_mut().zip(0_u16..) {
         *place = (low << 10).reverse_bits();
     }
@@ -62,17 +64,12 @@ pub(crate) fn scramble_low(first: u32, seed: u32) -> [u16; 64] {
     places
 }
 
-/// Whether vectors multiply halves of words but not words: x86 before SSE4.1, which takes a product of words apart
-/// into two of every other word and shuffles them together again.
-pub(crate) const IN_HALVES: bool =
-    cfg!(all(any(target_arch = "x86", target_arch = "x86_64"), not(target_feature = "sse4.1")));
-
 /// `scramble_reversed(x ^ low, seed).reverse_bits()` of each `low`, by halves: twice as many numbers to a vector, and
 /// reversed bits need no exchange of the halves.
 #[inline(always)]
-pub(crate) fn scramble_siblings(x: u32, low: &[u16; 64], seed: u32, out: &mut [u32; 64]) {
+pub(crate) fn scramble_siblings(x: u32, low: &Lanes<u16>, seed: u32, out: &mut Block) {
     let x = Halves::new(x);
-    let (mut lower, mut upper) = ([0; 64], [0; 64]);
+    let (mut lower, mut upper) = ([0; BLOCK], [0; BLOCK]);
     for ((lower, upper), low) in lower.iter_mut().zip(&mut upper).zip(low) {
         let scrambled = Halves { lower: x.lower ^ low, upper: x.upper }.scramble_reversed(seed);
         (*lower, *upper) = (scrambled.lower, scrambled.upper);
@@ -147,7 +144,7 @@ mod tests {
         for trial in 0..2000_u32 {
             let (x, seed) = (mix(trial), mix(!trial));
             let low = core::array::from_fn(|place| mix(place as u32 ^ trial) as u16);
-            let mut siblings = [0; 64];
+            let mut siblings = [0; BLOCK];
             scramble_siblings(x, &low, seed, &mut siblings);
             let one_by_one =
                 low.map(|low| scramble_reversed(x ^ u32::from(low), seed).reverse_bits());

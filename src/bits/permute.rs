@@ -11,11 +11,9 @@
 //! whole list is shuffled in the nibbles of one word (Fisher and Yates; R. Durstenfeld, "Algorithm
 //! 235", 1964), every permutation as likely as 28 bits can tell: 8! / 2^28 is 0.015 %.
 
-use super::{
-    hash::mix,
-    wide::{HALVES, high},
-};
-use crate::sequence::Block;
+use super::{hash::mix, wide::high};
+use crate::block::Block;
+use crate::target::{HALVES, WIDE_WORDS};
 
 /// Rounds of swap-or-not. A chi-square test of places, or of pairs of places, can tell 10 from random
 /// (tests/promises/permutation.rs); and a round leaves an element where it is with probability 1/2,
@@ -151,7 +149,7 @@ const fn below(len: u32, bits: u32) -> u32 {
 /// be a choice, which a look-up is not.
 #[inline(always)]
 const fn either(first: u32, second: u32, bits: u32) -> u32 {
-    if cfg!(target_pointer_width = "64") {
+    if WIDE_WORDS {
         const MASKS: [u32; 2] = [0, u32::MAX];
         first ^ (first ^ second) & MASKS[(bits >> 31) as usize]
     } else if bits >> 31 == 0 {
@@ -191,7 +189,7 @@ const fn shuffled(index: u32, len: u32, seed: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sequence::BLOCK;
+    use crate::block::BLOCK;
 
     #[test]
     fn blocks_are_permuted_as_their_places_are() {

@@ -3,9 +3,7 @@
 //! A core without an instruction for it takes some 20 to reverse bits; to count, a carry from the highest bit
 //! down passes two bits on average.
 
-/// Whether the core has no instruction that reverses bits, nor vectors to do it in.
-const CARRIES: bool =
-    cfg!(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32",));
+use crate::target::REVERSES_BITS;
 
 /// An index and its radical inverse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,7 +26,7 @@ impl Reversed {
     #[inline(always)]
     pub(crate) const fn after(self) -> Self {
         let index = self.index.wrapping_add(1);
-        Self { index, bits: if CARRIES { carried(self.bits) } else { index.reverse_bits() } }
+        Self { index, bits: if REVERSES_BITS { index.reverse_bits() } else { carried(self.bits) } }
     }
 }
 

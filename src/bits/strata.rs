@@ -8,10 +8,10 @@
 //! latter is ceil(c f / 2^32): c f / 2^32 is smaller than c r / n by less than c / 2^32 < 1 / n, and c r / n is
 //! an integer or at least 1 / n above one.
 
-use super::wide::HALVES;
+use crate::target::HALVES;
 
 /// `count` equal strata of one axis, `count` >= 1, with a prepared reciprocal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Strata {
     count: u32,
     /// The cells that every stratum has: floor(2^32 / count), one fewer for `count` = 1.

@@ -4,8 +4,7 @@
 //! `u32`; four products of halves are a third of its cost. A factor from a table comes in halves: the
 //! compiler would join those of one word and call the routine all the same. Every form gives the same bits.
 
-/// Whether the core multiplies 32 x 32 bits to 32 alone; such a core does not divide either.
-pub(crate) const HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+use crate::target::HALVES;
 
 /// a b.
 #[inline(always)]

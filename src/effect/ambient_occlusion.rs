@@ -7,7 +7,7 @@ use super::{DirectionSample, checked_distance};
 use crate::arithmetic::{Arithmetic, Real};
 use crate::error::Error;
 use crate::frame::Frame;
-use crate::map::{Cosine, Map};
+use crate::map::{Cosine, Density};
 
 /// Cosine-weighted directions about a normal, to be looked along up to a reach.
 ///

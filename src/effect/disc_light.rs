@@ -6,7 +6,7 @@
 //! The weight is cos t / d^2: radiance A, the light's intensity along its axis, stays finite for a light of
 //! radius 0, which is a point.
 
-use super::{along, capped, checked_radius, inverse};
+use super::{along, capped, checked_radius, reciprocal};
 use crate::arithmetic::{Arithmetic, Real, Root};
 use crate::error::Error;
 use crate::frame::{Frame, dot};
@@ -87,7 +87,7 @@ impl<A: Root> DiscLight<A> {
     /// The density of its points, per unit of area; at most MAX.
     #[inline]
     pub fn area_density(&self) -> A::Real {
-        inverse(self.area())
+        reciprocal(self.area())
     }
 
     /// The light's point for a pair of coordinates, as seen from a receiver; one so near that d^2 is no normal number
@@ -107,7 +107,7 @@ impl<A: Root> DiscLight<A> {
         // The cosine by the plane: the side is the same for all points, and none is a rounding error.
         let weight = self.shining(self.height(receiver) / distance) / square;
         let density =
-            if weight > A::Real::ZERO { inverse(self.area() * weight) } else { A::Real::ZERO };
+            if weight > A::Real::ZERO { reciprocal(self.area() * weight) } else { A::Real::ZERO };
         LightSample { point, direction, distance, density, weight }
     }
 

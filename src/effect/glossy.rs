@@ -7,7 +7,7 @@ use super::{DirectionSample, along, capped};
 use crate::arithmetic::{Arithmetic, Real};
 use crate::error::Error;
 use crate::frame::{Frame, dot};
-use crate::map::{Map, Power};
+use crate::map::{Density, Power};
 
 /// What becomes of a direction below the surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 //! u chooses one of N triangles about the centre, and the rest of u and v a point of it, by E. Heitz, "A
 //! Low-Distortion Map Between Triangle and Square", 2019: no square root, and neighbours stay neighbours.
 
-use crate::arithmetic::{Arithmetic, Real};
-use crate::map::{Map, Polar};
+use crate::arithmetic::{Arithmetic, Real, RealKernel};
+use crate::map::{Density, Invert, Map, Polar};
 
 /// The unit square onto a regular polygon of N corners on the unit circle; area ratios are kept.
 ///
@@ -75,7 +75,6 @@ fn cross<R: Real>(a: [R; 2], b: [R; 2]) -> R {
 }
 
 impl<A: Arithmetic<Real: Real>, const N: usize> Map for Polygon<A, N> {
-    type Arithmetic = A;
     type Point = [A::Real; 2];
 
     #[inline]
@@ -92,7 +91,9 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Map for Polygon<A, N> {
         };
         [a[0] * s + b[0] * t, a[1] * s + b[1] * t]
     }
+}
 
+impl<A: Arithmetic<Real: Real>, const N: usize> Density for Polygon<A, N> {
     /// 1 / area inside, 0 outside.
     #[inline]
     fn density(&self, point: [A::Real; 2]) -> A::Real {
@@ -106,7 +107,9 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Map for Polygon<A, N> {
             A::Real::ZERO
         }
     }
+}
 
+impl<A: Arithmetic<Real: Real>, const N: usize> Invert for Polygon<A, N> {
     #[inline]
     fn invert(&self, point: [A::Real; 2]) -> [u32; 2] {
         let (blade, [s, t]) = self.found(point);

@@ -5,10 +5,10 @@
 //! space, z ahead, that ray has the direction d = (d_x, d_y, 1); from the lens point (l_x, l_y) it is
 //! d - (l_x, l_y, 0) / f with the focal distance f. A lens of radius 0 gives d to the last bit.
 
-use super::{capped, checked_distance, checked_radius, inverse};
-use crate::arithmetic::{Arithmetic, Real};
+use super::{capped, checked_distance, checked_radius, reciprocal};
+use crate::arithmetic::Real;
 use crate::error::Error;
-use crate::map::Map;
+use crate::map::{Density, Map};
 
 /// A lens with an aperture of any map onto the unit disc: [`Concentric`](crate::Concentric) or
 /// [`Polar`](crate::Polar) for a round one, [`Polygon`](super::Polygon) for one of blades.
@@ -44,10 +44,7 @@ pub struct LensRay<R> {
     pub weight: R,
 }
 
-impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R>
-where
-    M::Arithmetic: Arithmetic<Real = R>,
-{
+impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
     /// A lens of a radius, 0 for a pinhole, in focus at a distance, which may be infinite.
     ///
     /// # Errors
@@ -71,13 +68,16 @@ where
     /// The ray that leaves the lens at the point for a pair of coordinates, of those that meet in focus the ray
     /// (d_x, d_y, 1) through its centre.
     #[inline]
-    pub fn ray(&self, [d_x, d_y]: [R; 2], uv: [u32; 2]) -> LensRay<R> {
+    pub fn ray(&self, [d_x, d_y]: [R; 2], uv: [u32; 2]) -> LensRay<R>
+    where
+        M: Density,
+    {
         let unit = self.aperture.sample(uv);
         let [x, y] = unit.map(|component| component * self.radius);
         LensRay {
             origin: [x, y, R::ZERO],
             direction: [d_x - x * self.nearness, d_y - y * self.nearness, R::ONE],
-            density: inverse(self.radius * self.radius / self.aperture.density(unit)),
+            density: reciprocal(self.radius * self.radius / self.aperture.density(unit)),
             weight: R::ONE,
         }
     }

@@ -1,7 +1,7 @@
 //! x^2 + y^2 <= 1 without rounding.
 
 /// A component of a point that an `f64` holds exactly.
-pub trait Exact: Copy {
+pub trait Exact: Copy + Default {
     /// The same value.
     fn exact(self) -> f64;
 

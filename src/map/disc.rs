@@ -4,25 +4,54 @@ mod concentric;
 mod polar;
 mod rejection;
 
+pub use crate::arithmetic::DiscPoint;
 pub use concentric::Concentric;
 pub use polar::Polar;
 pub use rejection::Rejection;
 
-use super::Map;
-use crate::arithmetic::Arithmetic;
+use super::{Invert, sealed::Sealed};
+use crate::arithmetic::{Arithmetic, Back, KernelOf, Root};
 
-/// A one-to-one map onto the disc, which a lobe can lift to the hemisphere.
-pub trait DiscMap: Map {
-    /// The point before rounding; with its r^2 and 1 - r^2 if `RIM`.
-    fn disc<const RIM: bool>(&self, uv: [u32; 2]) -> <Self::Arithmetic as Arithmetic>::Disc;
+/// A one-to-one map onto the disc, which a lobe can lift to the hemisphere. Sealed.
+///
+/// A lobe of your own is a [`Map`](crate::Map) over any disc map: it takes r^2 and 1 - r^2 from
+/// [`disc_point`](Self::disc_point), forms the angle to the axis, and places x and y with
+/// [`DiscPoint::at`]. `examples/lobe` of the repository has Beckmann's.
+pub trait DiscMap:
+    Invert<Point = [<Self::Arithmetic as Arithmetic>::Real; 2]> + KernelOf<Self::Arithmetic> + Sealed
+{
+    /// The arithmetic it computes in.
+    type Arithmetic: Arithmetic;
 
-    /// The coordinates of a point given by its direction (x and y), r^2 and 1 - r^2.
-    fn invert_disc(&self, disc: <Self::Arithmetic as Arithmetic>::Disc) -> [u32; 2];
+    /// The point of a pair of coordinates, before it is rounded.
+    ///
+    /// ```
+    /// use hemidisc::{Concentric, LibmF32, disc::DiscMap};
+    /// let point = Concentric::<LibmF32>::new().disc_point([1 << 31, 0]);
+    /// // At the rim the coordinates know 1 - r^2 where r has rounded to 1.
+    /// assert_eq!(point.r2(), 1.0);
+    /// assert!(point.one_minus_r2() > 4e-10);
+    /// ```
+    #[inline(always)]
+    fn disc_point(&self, uv: [u32; 2]) -> DiscPoint<<Self::Arithmetic as Arithmetic>::Real>
+    where
+        Self::Arithmetic: Root,
+    {
+        Self::Arithmetic::disc_point(Self::disc(uv))
+    }
+
+    /// The coordinates of a point given by its direction and r^2.
+    #[doc(hidden)]
+    fn invert_lowered(lowered: LoweredOf<Self::Arithmetic>) -> [u32; 2];
 }
+
+/// What the inverses of an arithmetic find coordinates from.
+#[doc(hidden)]
+pub type LoweredOf<A> = <<A as Arithmetic>::Back as Back>::Lowered;
 
 /// A disc map whose kernels are the arithmetic's functions of the same names.
 macro_rules! disc_map {
-    ($map:ident, $kernel:ident, $invert:ident) => {
+    ($map:ident, $kernel:ident, $point:ident, $invert:ident) => {
         impl<A> $map<A> {
             /// The map; it has no parameters.
             pub const fn new() -> Self {
@@ -30,56 +59,69 @@ macro_rules! disc_map {
             }
         }
 
-        impl<A: Arithmetic> Map for $map<A> {
-            type Arithmetic = A;
-            type Point = [A::Real; 2];
+        const _: () = {
+            use $crate::arithmetic::{Arithmetic, Back, DiscKernel};
+            use $crate::block::{Block, Lanes};
+            use $crate::map::disc::{DiscMap, LoweredOf};
+            use $crate::map::{Density, Invert, Map, sealed::Sealed};
 
-            #[inline(always)]
-            fn sample(&self, uv: [u32; 2]) -> [A::Real; 2] {
-                A::store(A::$kernel::<false>(uv))
+            impl<A: Arithmetic> Map for $map<A> {
+                type Point = [A::Real; 2];
+
+                #[inline(always)]
+                fn sample(&self, uv: [u32; 2]) -> [A::Real; 2] {
+                    A::$point(uv)
+                }
+
+                #[inline(always)]
+                fn sample_block(&self, u: &Block, v: &Block, out: &mut [Lanes<A::Real>; 2]) {
+                    A::disc_block::<Self>(u, v, out);
+                }
             }
 
-            #[inline(always)]
-            fn sample_block(
-                &self,
-                u: &crate::sequence::Block,
-                v: &crate::sequence::Block,
-                out: &mut [[A::Real; 2]; crate::sequence::BLOCK],
-            ) {
-                A::disc_block(self, u, v, out);
+            impl<A: Arithmetic> Density for $map<A> {
+                #[inline]
+                fn density(&self, point: [A::Real; 2]) -> A::Real {
+                    A::Back::disc_density(point)
+                }
             }
 
-            #[inline]
-            fn density(&self, point: [A::Real; 2]) -> A::Real {
-                A::disc_density(point)
+            impl<A: Arithmetic> Invert for $map<A> {
+                #[inline]
+                fn invert(&self, point: [A::Real; 2]) -> [u32; 2] {
+                    A::Back::$invert(A::Back::lower_disc(point))
+                }
             }
 
-            #[inline]
-            fn invert(&self, point: [A::Real; 2]) -> [u32; 2] {
-                A::$invert(A::load(point))
-            }
-        }
+            impl<A: Arithmetic> DiscKernel for $map<A> {
+                type Real = A::Real;
+                type Disc = A::Disc;
 
-        impl<A: Arithmetic> DiscMap for $map<A> {
-            #[inline(always)]
-            fn disc<const RIM: bool>(&self, uv: [u32; 2]) -> A::Disc {
-                A::$kernel::<RIM>(uv)
+                #[inline(always)]
+                fn disc(uv: [u32; 2]) -> A::Disc {
+                    A::$kernel(uv)
+                }
+
+                #[inline(always)]
+                fn point(uv: [u32; 2]) -> [A::Real; 2] {
+                    A::$point(uv)
+                }
             }
 
-            #[inline]
-            fn invert_disc(&self, disc: A::Disc) -> [u32; 2] {
-                A::$invert(disc)
-            }
-        }
+            impl<A: Arithmetic> Sealed for $map<A> {}
 
-        #[cfg(feature = "rand")]
-        impl<A: Arithmetic> rand::distr::Distribution<[A::Real; 2]> for $map<A> {
-            /// Draws two words, u first.
-            #[inline]
-            fn sample<R: rand::Rng + ?Sized>(&self, rng: &mut R) -> [A::Real; 2] {
-                crate::map::draw(self, rng)
+            impl<A: Arithmetic> DiscMap for $map<A> {
+                type Arithmetic = A;
+
+                #[inline]
+                fn invert_lowered(lowered: LoweredOf<A>) -> [u32; 2] {
+                    A::Back::$invert(lowered)
+                }
             }
-        }
+
+            #[cfg(feature = "rand")]
+    $crate::map::distribution!([A: Arithmetic] $map<A>, [A::Real; 2]);
+        };
     };
 }
 use disc_map;

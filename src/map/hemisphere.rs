@@ -11,41 +11,38 @@ pub use cosine::CosineLobe;
 pub use power::PowerLobe;
 pub use uniform::UniformLobe;
 
-use super::Map;
-use super::disc::{Concentric, DiscMap, Polar};
-use crate::arithmetic::{Arithmetic, point_by_point};
+use super::disc::{Concentric, DiscMap, LoweredOf};
+use super::{Density, Invert, Map, sealed::Sealed};
+use crate::arithmetic::{Arithmetic, KernelOf};
+use crate::block::{Block, Lanes};
 use crate::error::Error;
 use crate::frame::{About, Frame};
-use crate::sequence::{BLOCK, Block};
 use core::marker::PhantomData;
 
-/// What lifts a point of the disc to a direction.
-pub trait Lobe: Copy {
+/// What lifts a point of the disc to a direction. Sealed: see [`DiscMap`] for a lobe of your own.
+pub trait Lobe: Copy + Sealed {
     /// The arithmetic it computes in.
     type Arithmetic: Arithmetic;
 
     /// The direction above a point of the disc.
+    #[doc(hidden)]
     fn lift(&self, disc: <Self::Arithmetic as Arithmetic>::Disc) -> Direction<Self::Arithmetic>;
 
-    /// The directions above a block of points of a disc map; the same bits.
-    #[inline(always)]
-    fn lift_block<D: DiscMap<Arithmetic = Self::Arithmetic>>(
+    /// The directions above a block of points of a disc map.
+    #[doc(hidden)]
+    fn lift_block<D: KernelOf<Self::Arithmetic>>(
         &self,
-        disc: &D,
         u: &Block,
         v: &Block,
-        out: &mut [Direction<Self::Arithmetic>; BLOCK],
-    ) {
-        point_by_point!(u, v, out, uv => self.lift(disc.disc::<true>(uv)));
-    }
+        out: &mut [Lanes<Slot<Self::Arithmetic>>; 3],
+    );
 
-    /// The point of the disc below a direction, x and y up to a common factor.
-    fn lower(
-        &self,
-        direction: Direction<Self::Arithmetic>,
-    ) -> <Self::Arithmetic as Arithmetic>::Disc;
+    /// The point of the disc below a direction.
+    #[doc(hidden)]
+    fn lower(&self, direction: Direction<Self::Arithmetic>) -> LoweredOf<Self::Arithmetic>;
 
     /// The density of directions, per steradian; 0 below the horizon.
+    #[doc(hidden)]
     fn density(&self, direction: Direction<Self::Arithmetic>) -> Slot<Self::Arithmetic>;
 }
 
@@ -53,7 +50,7 @@ type Slot<A> = <A as Arithmetic>::Real;
 type Direction<A> = [Slot<A>; 3];
 
 /// A lobe over a disc map: directions (x, y, z) with z > 0 about the z axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Hemisphere<L, D> {
     lobe: L,
     disc: D,
@@ -68,19 +65,21 @@ pub type Cosine<A, D = Concentric<A>> = Hemisphere<CosineLobe<A>, D>;
 /// Cosine-power directions: density (e + 1) z^e / (2 pi) per steradian. `D` is the disc map below.
 ///
 /// ```
-/// use hemidisc::{LibmF32, Map, Power};
+/// use hemidisc::{LibmF32, Map, Polar, Power};
 /// let lobe = Power::<LibmF32>::new(50.0)?;
 /// let [x, y, z] = lobe.sample([1 << 31, 1 << 30]);
 /// assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6);
 /// assert!(Power::<LibmF32>::new(-1.0).is_err());
+/// // Over the polar map it is the textbook's formula.
+/// let textbook = Power::over(50.0, Polar::<LibmF32>::new())?;
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
 pub type Power<A, D = Concentric<A>> = Hemisphere<PowerLobe<A>, D>;
 
 impl<L, D> Hemisphere<L, D> {
-    /// The lobe.
-    pub const fn lobe(&self) -> &L {
-        &self.lobe
+    /// The disc map below the lobe.
+    pub const fn disc(&self) -> &D {
+        &self.disc
     }
 
     /// The same directions in world space, about the third axis of a frame.
@@ -92,20 +91,20 @@ impl<L, D> Hemisphere<L, D> {
     }
 }
 
-/// Constructors over both disc maps for the lobes without a parameter.
+/// Constructors for the lobes without a parameter.
 macro_rules! without_parameter {
     ($lobe:ident) => {
         impl<A: Arithmetic> Hemisphere<$lobe<A>, Concentric<A>> {
             /// The lobe over the concentric map.
             pub const fn new() -> Self {
-                Self { lobe: $lobe(PhantomData), disc: Concentric::new() }
+                Self::over(Concentric::new())
             }
         }
 
-        impl<A: Arithmetic> Hemisphere<$lobe<A>, Polar<A>> {
-            /// The lobe over the polar map.
-            pub const fn polar() -> Self {
-                Self { lobe: $lobe(PhantomData), disc: Polar::new() }
+        impl<A: Arithmetic, D: DiscMap<Arithmetic = A>> Hemisphere<$lobe<A>, D> {
+            /// The lobe over a disc map.
+            pub const fn over(disc: D) -> Self {
+                Self { lobe: $lobe(PhantomData), disc }
             }
         }
     };
@@ -119,88 +118,100 @@ impl<A: Arithmetic> Hemisphere<PowerLobe<A>, Concentric<A>> {
     /// # Errors
     /// [`Error::Exponent`] for a value that is not a finite number above -1.
     pub fn new(exponent: A::Parameter) -> Result<Self, Error> {
-        Ok(Self { lobe: PowerLobe::new(exponent)?, disc: Concentric::new() })
+        Self::over(exponent, Concentric::new())
     }
 }
 
-impl<A: Arithmetic> Hemisphere<PowerLobe<A>, Polar<A>> {
-    /// The lobe of exponent e > -1 over the polar map: the textbook's formula.
+impl<A: Arithmetic, D: DiscMap<Arithmetic = A>> Hemisphere<PowerLobe<A>, D> {
+    /// The lobe of exponent e > -1 over a disc map.
     ///
     /// # Errors
     /// [`Error::Exponent`] for a value that is not a finite number above -1.
-    pub fn polar(exponent: A::Parameter) -> Result<Self, Error> {
-        Ok(Self { lobe: PowerLobe::new(exponent)?, disc: Polar::new() })
+    pub fn over(exponent: A::Parameter, disc: D) -> Result<Self, Error> {
+        Ok(Self { lobe: PowerLobe::new(exponent)?, disc })
+    }
+}
+
+impl<A: Arithmetic, D> Hemisphere<PowerLobe<A>, D> {
+    /// The exponent as it was given.
+    pub fn exponent(&self) -> A::Parameter {
+        self.lobe.exponent()
     }
 }
 
 impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Map for Hemisphere<L, D> {
-    type Arithmetic = L::Arithmetic;
     type Point = Direction<L::Arithmetic>;
 
     #[inline(always)]
     fn sample(&self, uv: [u32; 2]) -> Self::Point {
-        self.lobe.lift(self.disc.disc::<true>(uv))
+        self.lobe.lift(D::disc(uv))
     }
 
     #[inline(always)]
-    fn sample_block(&self, u: &Block, v: &Block, out: &mut [Self::Point; BLOCK]) {
-        self.lobe.lift_block(&self.disc, u, v, out);
+    fn sample_block(&self, u: &Block, v: &Block, out: &mut [Lanes<Slot<L::Arithmetic>>; 3]) {
+        self.lobe.lift_block::<D>(u, v, out);
     }
+}
 
+impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Density for Hemisphere<L, D> {
     #[inline]
     fn density(&self, direction: Self::Point) -> Slot<L::Arithmetic> {
         self.lobe.density(direction)
     }
+}
 
+impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Invert for Hemisphere<L, D> {
     #[inline]
     fn invert(&self, direction: Self::Point) -> [u32; 2] {
-        self.disc.invert_disc(self.lobe.lower(direction))
+        D::invert_lowered(self.lobe.lower(direction))
     }
 }
 
 #[cfg(feature = "rand")]
-impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>>
-    rand::distr::Distribution<Direction<L::Arithmetic>> for Hemisphere<L, D>
-{
-    /// Draws two words, u first.
-    #[inline]
-    fn sample<R: rand::Rng + ?Sized>(&self, rng: &mut R) -> Direction<L::Arithmetic> {
-        crate::map::draw(self, rng)
-    }
-}
+super::distribution!(
+    [L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>]
+    Hemisphere<L, D>, Direction<L::Arithmetic>
+);
 
 /// A lobe whose kernels are the arithmetic's functions of the same names.
 macro_rules! lobe {
     ($lobe:ident, $lift:ident, $block:ident, $lower:ident, $density:ident $(, $parameter:tt)?) => {
-        impl<A: Arithmetic> Lobe for $lobe<A> {
-            type Arithmetic = A;
+        const _: () = {
+            use $crate::arithmetic::{Arithmetic, Back, KernelOf};
+            use $crate::block::{Block, Lanes};
+            use $crate::map::{disc::LoweredOf, hemisphere::Lobe, sealed::Sealed};
 
-            #[inline(always)]
-            fn lift(&self, disc: A::Disc) -> [A::Real; 3] {
-                A::$lift($(self.$parameter,)? disc)
-            }
+            impl<A: Arithmetic> Sealed for $lobe<A> {}
 
-            #[inline(always)]
-            fn lift_block<D: crate::map::DiscMap<Arithmetic = A>>(
-                &self,
-                disc: &D,
-                u: &crate::sequence::Block,
-                v: &crate::sequence::Block,
-                out: &mut [[A::Real; 3]; crate::sequence::BLOCK],
-            ) {
-                A::$block($(self.$parameter,)? disc, u, v, out)
-            }
+            impl<A: Arithmetic> Lobe for $lobe<A> {
+                type Arithmetic = A;
 
-            #[inline]
-            fn lower(&self, direction: [A::Real; 3]) -> A::Disc {
-                A::$lower($(self.$parameter,)? direction)
-            }
+                #[inline(always)]
+                fn lift(&self, disc: A::Disc) -> [A::Real; 3] {
+                    A::$lift($(self.$parameter,)? disc)
+                }
 
-            #[inline]
-            fn density(&self, direction: [A::Real; 3]) -> A::Real {
-                A::$density($(self.$parameter,)? direction)
+                #[inline(always)]
+                fn lift_block<D: KernelOf<A>>(
+                    &self,
+                    u: &Block,
+                    v: &Block,
+                    out: &mut [Lanes<A::Real>; 3],
+                ) {
+                    A::$block::<D>($(self.$parameter,)? u, v, out);
+                }
+
+                #[inline]
+                fn lower(&self, direction: [A::Real; 3]) -> LoweredOf<A> {
+                    A::Back::$lower($(self.$parameter.into(),)? direction)
+                }
+
+                #[inline]
+                fn density(&self, direction: [A::Real; 3]) -> A::Real {
+                    A::Back::$density($(self.$parameter.into(),)? direction)
+                }
             }
-        }
+        };
     };
 }
 use lobe;

@@ -5,12 +5,16 @@
 //! spreads neighbours evenly: column c and row r go to fine column p(c) n + q(r) and fine row
 //! r m + c, after a shuffle of the order of all points.
 
-use super::{Block, Grid, Sequence, block_in_order, indices, is_inside, repeat};
+use super::Sequence;
+use super::walk::{block_in_order, indices, is_inside};
+use crate::bits::grid::Grid;
+use crate::bits::modulo::repeat;
 use crate::bits::{
     hash::{Jitter, key},
     permute::{permute, permute_block},
     strata::Strata,
 };
+use crate::block::Block;
 use crate::error::Error;
 
 /// One random point in each cell of an m x n grid, in each of mn columns and in each of mn rows,
@@ -28,7 +32,7 @@ use crate::error::Error;
 /// assert_eq!(rows, [0, 1, 2, 3]);
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Correlated {
     grid: Grid,
     fine: Strata,
@@ -81,8 +85,8 @@ impl Sequence for Correlated {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 
     /// A round of the permutations for all at a time.

@@ -4,11 +4,11 @@
 //! The radical inverse mirrors the digits of the index at the radix point. A coordinate is
 //! ceil(2^32 x) of the exact rational x, so that it lies in the stratum of every base that x does.
 
-use super::{Block, Sequence, Walk, block_in_order, walks};
-use crate::bits::{
-    reversed::Reversed,
-    wide::{HALVES, high},
-};
+use super::Sequence;
+use super::walk::{Walk, block_in_order, walks};
+use crate::bits::{reversed::Reversed, wide::high};
+use crate::block::Block;
+use crate::target::HALVES;
 
 /// The Halton sequence: radical inverses of the index in base 2 (u) and base 3 (v).
 ///
@@ -21,7 +21,7 @@ use crate::bits::{
 /// // 1 / 2 and ceil(2^32 / 3)
 /// assert_eq!(Halton::new().at(1), [0x8000_0000, 0x5555_5556]);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Halton;
 
 impl Halton {
@@ -123,8 +123,8 @@ impl Sequence for Halton {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 
     walks!();

@@ -1,7 +1,9 @@
 //! Hammersley set of N points: u = i / N, v = the radical inverse of i in base 2
 //! (J. Hammersley, "Monte Carlo Methods for Solving Multivariable Problems", 1960).
 
-use super::{Sequence, Walk, not_empty, repeat, walks};
+use super::walk::{Walk, walks};
+use super::{Sequence, not_empty};
+use crate::bits::modulo::repeat;
 use crate::bits::{reversed::Reversed, strata::Strata};
 use crate::error::Error;
 
@@ -15,7 +17,7 @@ use crate::error::Error;
 /// assert_eq!(Hammersley::new(4)?.at(3), [0xc000_0000, 0xc000_0000]);
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Hammersley {
     strata: Strata,
 }
@@ -46,8 +48,8 @@ impl Sequence for Hammersley {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 
     walks!();

@@ -1,8 +1,12 @@
 //! Jittered points: one uniformly random point in every cell of an m x n grid
 //! (R. Cook, "Stochastic Sampling in Computer Graphics", 1986).
 
-use super::{Block, Grid, Sequence, Walk, block_in_order, repeat, walks};
+use super::Sequence;
+use super::walk::{Walk, block_in_order, walks};
+use crate::bits::grid::Grid;
+use crate::bits::modulo::repeat;
 use crate::bits::{hash::Jitter, strata::Strata};
+use crate::block::Block;
 use crate::error::Error;
 
 /// One random point in each cell of an m x n grid: column i mod m, row i / m.
@@ -17,7 +21,7 @@ use crate::error::Error;
 /// assert_eq!([u >> 30, v >> 30], [1, 1]);
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Jittered {
     grid: Grid,
     columns: Strata,
@@ -61,8 +65,8 @@ impl Sequence for Jittered {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 
     walks!();

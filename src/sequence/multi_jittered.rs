@@ -5,12 +5,16 @@
 //! r m + Q_r(c) of an mn x mn board, where P_c permutes the n rows of column c and Q_r the m
 //! columns of row r, each with a key of its own.
 
-use super::{BLOCK, Block, Grid, Sequence, Walk, block_in_order, is_inside, repeat, walks};
+use super::Sequence;
+use super::walk::{Walk, block_in_order, is_inside, walks};
+use crate::bits::grid::Grid;
+use crate::bits::modulo::repeat;
 use crate::bits::{
     hash::{Jitter, key, mix},
     permute::{permute, permute_each},
     strata::Strata,
 };
+use crate::block::{BLOCK, Block};
 use crate::error::Error;
 
 /// One random point in each cell of an m x n grid that also has one in each of mn columns and rows.
@@ -27,7 +31,7 @@ use crate::error::Error;
 /// assert_eq!(columns, [0, 1, 2, 3]);
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MultiJittered {
     grid: Grid,
     fine: Strata,
@@ -83,8 +87,8 @@ impl Sequence for MultiJittered {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 
     walks!();

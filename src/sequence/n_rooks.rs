@@ -1,12 +1,15 @@
 //! N-rooks (Latin hypercube) points: N rooks on an N x N board, none attacking another
 //! (P. Shirley, "Discrepancy as a Quality Measure for Sample Distributions", 1991).
 
-use super::{Block, Sequence, Walk, block_in_order, indices, is_inside, not_empty, repeat, walks};
+use super::walk::{Walk, block_in_order, indices, is_inside, walks};
+use super::{Sequence, not_empty};
+use crate::bits::modulo::repeat;
 use crate::bits::{
     hash::{Jitter, key},
     permute::{permute, permute_block},
     strata::Strata,
 };
+use crate::block::Block;
 use crate::error::Error;
 
 /// N points, one in each of N columns and one in each of N rows: column i, a random row.
@@ -23,7 +26,7 @@ use crate::error::Error;
 /// assert_eq!(rows, [0, 1, 2, 3]);
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct NRooks {
     strata: Strata,
     rows: u32,
@@ -69,8 +72,8 @@ impl Sequence for NRooks {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 
     walks!();

@@ -16,7 +16,7 @@ use crate::bits::hash::shift;
 /// use hemidisc::sequence::R2;
 /// assert_eq!(R2::new(0).at(0), [0xc13f_a9a9, 0x91e1_0da5]);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct R2 {
     shift: [u32; 2],
 }
@@ -44,7 +44,7 @@ impl Sequence for R2 {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 }

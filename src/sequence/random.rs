@@ -13,7 +13,7 @@ use crate::bits::hash::Pairs;
 /// use hemidisc::sequence::Random;
 /// assert_ne!(Random::new(1).at(0), Random::new(2).at(0));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Random {
     pairs: Pairs,
 }
@@ -37,7 +37,7 @@ impl Sequence for Random {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 }

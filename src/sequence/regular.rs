@@ -3,8 +3,12 @@
 //! Coordinate c of m is the cell floor((2c + 1) 2^31 / m) that holds (2c + 1) / 2m, which is never on
 //! the edge of a stratum. Point i is in column i mod m, row i / m.
 
-use super::{Block, Grid, Sequence, Walk, block_in_order, repeat, walks};
+use super::Sequence;
+use super::walk::{Walk, block_in_order, walks};
+use crate::bits::grid::Grid;
+use crate::bits::modulo::repeat;
 use crate::bits::strata::Strata;
+use crate::block::Block;
 use crate::error::Error;
 
 /// The centres of an m x n grid: column i mod m, row i / m.
@@ -18,7 +22,7 @@ use crate::error::Error;
 /// assert_eq!(grid.at(1), [0xc000_0000, 0x4000_0000]);
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Regular {
     grid: Grid,
     columns: Centres,
@@ -47,7 +51,7 @@ impl Regular {
 }
 
 /// The centres of the strata of an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Centres {
     strata: Strata,
     /// floor(2^31 / count) and 2^31 mod count: half a stratum.
@@ -76,8 +80,8 @@ impl Sequence for Regular {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 
     walks!();

@@ -4,7 +4,9 @@
 //! point i of either into the same cell, and the pairs fill a small part of the product space. A
 //! shuffle of the order of one, with a key of its own, mends that.
 
-use super::{Sequence, repeat, sobol_owen::shuffle};
+use super::Sequence;
+use super::sobol_owen::shuffle;
+use crate::bits::modulo::repeat;
 use crate::bits::permute::permute;
 use crate::domain::Domain;
 
@@ -19,7 +21,7 @@ use crate::domain::Domain;
 /// let grid = Shuffled::new(Regular::new(8, 8)?, Domain::new(7));
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shuffled<S> {
     sequence: S,
     order: u32,
@@ -39,8 +41,8 @@ impl<S: Sequence> Sequence for Shuffled<S> {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.sequence.point(match self.sequence.size() {
+    fn at(&self, index: u32) -> [u32; 2] {
+        self.sequence.at(match self.sequence.size() {
             Some(size) => permute(repeat(index, size), size, self.order),
             None => shuffle(index, self.order),
         })

@@ -4,8 +4,10 @@
 //! modulo 2, the Kronecker power of [1 1; 0 1], so it acts on the reversed index in five xor-shift
 //! steps. Indices are in natural order, not Gray code.
 
-use super::{BLOCK, Block, Sequence, Walk, walks};
+use super::Sequence;
+use super::walk::{Walk, walks};
 use crate::bits::hash::shift;
+use crate::block::{BLOCK, Block};
 
 /// The Sobol (0, 2)-sequence, with an optional digital (xor) shift.
 ///
@@ -16,7 +18,7 @@ use crate::bits::hash::shift;
 /// use hemidisc::sequence::Sobol;
 /// assert_eq!(Sobol::new(0).at(3), [0xc000_0000, 0x4000_0000]);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sobol {
     shift: [u32; 2],
 }
@@ -92,8 +94,8 @@ impl Sequence for Sobol {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 
     walks!();

@@ -4,9 +4,12 @@
 //! shuffles the order so that aligned blocks stay aligned blocks, and so nets; Owen-scrambling each
 //! axis moves the points among elementary intervals of every size, and so keeps the nets too.
 
-use super::{BLOCK, Block, Sequence, sobol::pascal_reversed};
-use crate::bits::owen::{IN_HALVES, scramble, scramble_low, scramble_reversed, scramble_siblings};
+use super::Sequence;
+use super::sobol::pascal_reversed;
+use crate::bits::owen::{scramble, scramble_low, scramble_reversed, scramble_siblings};
+use crate::block::{BLOCK, Block};
 use crate::domain::Domain;
+use crate::target::VECTORS_OF_HALVES;
 
 /// The Sobol (0, 2)-sequence, Owen-scrambled on each axis, in a shuffled order.
 ///
@@ -20,7 +23,7 @@ use crate::domain::Domain;
 /// let light = SobolOwen::in_domain(Domain::new(7).child(2));
 /// assert_ne!(lens.at(0), light.at(0));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SobolOwen {
     order: u32,
     axes: [u32; 2],
@@ -113,13 +116,13 @@ impl Sequence for SobolOwen {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
-        if IN_HALVES {
+        if VECTORS_OF_HALVES {
             self.block_in_halves(start, u, v);
         } else {
             self.block_in_words(start, u, v);

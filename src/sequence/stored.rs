@@ -1,6 +1,9 @@
 //! Points that the caller has stored: recorded, random, or a table in flash.
 
-use super::{BLOCK, Block, Sequence, block_in_order, looked_up, repeat};
+use super::walk::block_in_order;
+use super::{Sequence, looked_up};
+use crate::bits::modulo::repeat;
+use crate::block::{BLOCK, Block};
 use crate::error::Error;
 
 /// The caller's own points, in a slice of at least one.
@@ -13,7 +16,7 @@ use crate::error::Error;
 /// assert_eq!(Stored::new(&points)?.at(1), [1 << 31, 1 << 30]);
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Stored<'a> {
     points: &'a [[u32; 2]],
 }
@@ -63,8 +66,8 @@ impl Sequence for Stored<'_> {
     }
 
     #[inline(always)]
-    fn point(&self, index: u32) -> [u32; 2] {
-        self.at(index)
+    fn at(&self, index: u32) -> [u32; 2] {
+        Self::at(*self, index)
     }
 
     #[inline(always)]

@@ -1,36 +1,28 @@
 //! The disc kernels: both maps to an octant, and the octant to its place.
 
-use super::functions::{Functions, gaps, normal_sqrt};
-use crate::arithmetic::Arithmetic;
-use crate::arithmetic::float::{FloatDisc, lowered};
-use crate::square::fold;
-
-/// Whether branches cost less than the operations that avoid them: where nothing becomes vector code. The
-/// bits are the same either way.
-pub(super) const BRANCHES: bool = !<Functions as Arithmetic>::BLOCKED;
+use super::functions::{gaps, normal_sqrt};
+use crate::coordinates::{Angle, fold, fold_angle};
+use crate::target::BRANCHES;
 
 /// A point of the disc, and how it came to its place from the octant 0 <= y <= x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FastDisc {
     /// As it is stored.
     pub(super) point: [f32; 2],
-    /// The same, or where an inverse begins, as long as it may be.
-    direction: [f32; 2],
     /// phi / (pi/4) in the octant, in [0, 1].
     pub(super) t: f32,
     /// 1 - cos phi and 1 - sin phi / t.
     gaps: [f32; 2],
     /// r and r t: x and y are these less their gaps.
     pub(super) ends: [f32; 2],
-    pub(super) turn: Turn,
+    pub(super) place: Place,
     pub(super) r2: f32,
-    /// 1 - r^2.
-    pub(super) rim: f32,
+    pub(super) one_minus_r2: f32,
 }
 
 /// From the octant to a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Turn {
+pub(super) struct Place {
     /// All ones where x and y swap places.
     swap: u32,
     /// Words with the signs of x and y.
@@ -100,17 +92,17 @@ const fn signed<const BRANCHES: bool>([x, y]: [f32; 2], signs: [u32; 2]) -> [f32
     [f32::from_bits(signs[0] & SIGN | x.to_bits()), f32::from_bits(signs[1] & SIGN | y.to_bits())]
 }
 
-impl Turn {
+impl Place {
     /// A point of the octant in its place.
     #[inline(always)]
-    pub(super) const fn turned(self, point: [f32; 2]) -> [f32; 2] {
+    pub(super) const fn placed(self, point: [f32; 2]) -> [f32; 2] {
         signed::<false>(exchanged(self.swap, inward(point)), self.signs)
     }
 
     /// The point of larger - larger cos and smaller - smaller sin. Not `at_rim` means inside by more than all
     /// errors: a branch then spares it the exact test.
     #[inline(always)]
-    const fn place<const BRANCHES: bool>(
+    const fn put<const BRANCHES: bool>(
         self,
         [larger, smaller]: [f32; 2],
         [cos, sin]: [f32; 2],
@@ -118,7 +110,7 @@ impl Turn {
     ) -> [f32; 2] {
         let Self { swap, signs } = self;
         if !BRANCHES {
-            return self.turned([larger - larger * cos, smaller - smaller * sin]);
+            return self.placed([larger - larger * cos, smaller - smaller * sin]);
         }
         // Formed in its place: to swap two results would cost Arm five instructions.
         let point = if swap == 0 {
@@ -150,67 +142,60 @@ pub(super) const fn concentric<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDi
         // Rounding keeps the order, and the larger of two floats takes one operation.
         let (a, b) = (centre(m_u), centre(m_v));
         let magnitudes = [if a > b { a } else { b }, if a > b { b } else { a }];
-        return ring::<BRANCHES>(major, magnitudes, Turn { swap, signs });
+        return at::<BRANCHES>(major, magnitudes, Place { swap, signs });
     }
     // Twice all of it, so that nothing is swapped.
     if steep {
-        ring::<BRANCHES>(m_v, [centre(m_v), centre(m_u)], Turn { swap: !0, signs })
+        at::<BRANCHES>(m_v, [centre(m_v), centre(m_u)], Place { swap: !0, signs })
     } else {
-        ring::<BRANCHES>(m_u, [centre(m_u), centre(m_v)], Turn { swap: 0, signs })
+        at::<BRANCHES>(m_u, [centre(m_u), centre(m_v)], Place { swap: 0, signs })
     }
 }
 
 /// The point of a larger and a smaller magnitude, as floats; and of the larger as it is.
 #[inline(always)]
-const fn ring<const BRANCHES: bool>(major: u32, [a, b]: [f32; 2], turn: Turn) -> FastDisc {
+const fn at<const BRANCHES: bool>(major: u32, [a, b]: [f32; 2], place: Place) -> FastDisc {
     const SCALE: f32 = 1.0 / 2_147_483_648.0;
     let t = b / a;
     let gaps = gaps(t * t);
     let ends = [a * SCALE, b * SCALE];
     let [larger, _] = ends;
-    let to_rim = centre(0x7fff_ffff - major) * SCALE;
-    let (r2, rim) = (larger * larger, to_rim * (2.0 - to_rim));
+    let one_minus_r = centre(0x7fff_ffff - major) * SCALE;
+    let (r2, one_minus_r2) = (larger * larger, one_minus_r * (2.0 - one_minus_r));
     // r >= 1 - 16 eps.
     let at_rim = major >= 0x7fff_f800;
-    let point = turn.place::<BRANCHES>(ends, gaps, at_rim);
-    FastDisc { point, direction: point, t, gaps, ends, turn, r2, rim }
+    let point = place.put::<BRANCHES>(ends, gaps, at_rim);
+    FastDisc { point, t, gaps, ends, place, r2, one_minus_r2 }
 }
 
 #[inline(always)]
 pub(super) const fn polar<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDisc {
-    // u and !u are mirror images in the x axis: fold before rounding.
-    let below = (u.cast_signed() >> 31).cast_unsigned();
-    let half = u ^ below;
-    // 31 bits of a half turn: the quarter, the octant in it, 29 bits within.
-    let left = mask(half & 1 << 30 != 0);
-    let quarter = half ^ (left & 0x7fff_ffff);
-    let swap = mask(quarter & 1 << 29 != 0);
-    let octant = quarter ^ (swap & 0x3fff_ffff);
-    let t = centre(octant) * (1.0 / 536_870_912.0);
-    let (r2, rim) = (centre_nearest(v), centre_nearest(!v));
+    let Angle { left, steep: swap, within, .. } = fold_angle(u);
+    let t = centre(within) * (1.0 / 536_870_912.0);
+    let (r2, one_minus_r2) = (centre_nearest(v), centre_nearest(!v));
     let r = normal_sqrt(r2);
     let gaps = gaps(t * t);
-    let turn = Turn { swap, signs: [half << 1, u] };
+    let place = Place { swap, signs: [left, u] };
     // r^2 >= 1 - 16 eps.
     let at_rim = v >= 0xffff_f000;
     let ends = [r, r * t];
-    let point = turn.place::<BRANCHES>(ends, gaps, at_rim);
-    FastDisc { point, direction: point, t, gaps, ends, turn, r2, rim }
+    let point = place.put::<BRANCHES>(ends, gaps, at_rim);
+    FastDisc { point, t, gaps, ends, place, r2, one_minus_r2 }
 }
 
 impl FastDisc {
     /// The point at r and phi = pi/4 t.
     #[inline(always)]
     pub(super) const fn octant<const BRANCHES: bool>(r: f32, t: f32) -> [f32; 2] {
-        let turn = Turn { swap: 0, signs: [0; 2] };
-        turn.place::<BRANCHES>([r, r * t], gaps(t * t), at_rim(r))
+        let place = Place { swap: 0, signs: [0; 2] };
+        place.put::<BRANCHES>([r, r * t], gaps(t * t), at_rim(r))
     }
 
     /// The point in the same direction at another distance.
     #[inline(always)]
     pub(super) const fn place_at<const BRANCHES: bool>(self, distance: f32) -> [f32; 2] {
         let ends = [distance, distance * self.t];
-        self.turn.place::<BRANCHES>(ends, self.gaps, at_rim(distance))
+        self.place.put::<BRANCHES>(ends, self.gaps, at_rim(distance))
     }
 }
 
@@ -223,30 +208,6 @@ const fn at_rim(distance: f32) -> bool {
 #[inline(always)]
 pub(super) const fn root_to_1(square: f32) -> f32 {
     normal_sqrt(if square < 1.0 { square } else { 1.0 })
-}
-
-/// Where an inverse begins: a point of the generic kernels, whose direction is as long as it may be.
-impl From<FloatDisc<f32>> for FastDisc {
-    #[inline]
-    fn from(disc: FloatDisc<f32>) -> Self {
-        let FloatDisc { direction: direction @ [x, y], r2, rim, .. } = disc;
-        let mut magnitudes = [x.abs(), y.abs()];
-        if x == 0.0 || y == 0.0 {
-            // On an axis no step toward zero is left: keep off the rim.
-            magnitudes = magnitudes.map(|component| component.min(1.0 - f32::EPSILON));
-        }
-        let signs = direction.map(f32::to_bits);
-        let point = signed::<BRANCHES>(inward(magnitudes), signs);
-        let turn = Turn { swap: 0, signs };
-        Self { point, direction, t: 0.0, gaps: [0.0; 2], ends: [0.0; 2], turn, r2, rim }
-    }
-}
-
-impl From<FastDisc> for FloatDisc<f32> {
-    #[inline]
-    fn from(disc: FastDisc) -> Self {
-        lowered::<Functions>(disc.direction, disc.r2, disc.rim)
-    }
 }
 
 #[cfg(test)]

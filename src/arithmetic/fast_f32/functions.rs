@@ -3,7 +3,7 @@
 //! Coefficients are by tests/derive/fast_f32.sollya. Errors are in tests/fast_f32.rs, over every f32 of
 //! each range.
 
-use crate::arithmetic::Float;
+use crate::arithmetic::float::Float;
 
 /// 1 - cos(pi/4 t) and 1 - sin(pi/4 t) / t from q = t^2 in [0, 1].
 ///
@@ -89,10 +89,10 @@ pub(super) const LN_MIN: f32 = -87.336_54;
 
 /// The functions as the generic kernels want them, for the inverses and densities: no more in a hurry.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Functions;
+pub struct Functions;
 
 impl Float for Functions {
-    const NAME: &'static str = super::NAME;
+    const NAME: &'static str = "fast-f32";
     type Real = f32;
 
     #[inline]

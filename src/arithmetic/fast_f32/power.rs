@@ -1,14 +1,15 @@
 //! The power lobe of fast f32: the exponent prepared, and the lift.
 
-use super::disc::{BRANCHES, FastDisc, root_to_1};
+use super::disc::{FastDisc, root_to_1};
 use super::functions::{Functions, LN_MIN, exp, ln_complement};
-use crate::arithmetic::{Arithmetic, PowerExponent};
+use crate::arithmetic::float::PowerExponent;
 use crate::error::Error;
+use crate::target::BRANCHES;
 
 /// An exponent e > -1 with what the power lobe needs of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FastExponent {
-    pub(super) exact: PowerExponent<f32>,
+    exact: PowerExponent<f32>,
     /// 4^k / (e + 1), rounded, and what was lost, relative to it.
     rate: f32,
     lost: f32,
@@ -20,7 +21,7 @@ impl FastExponent {
     /// # Errors
     /// [`Error::Exponent`] for a value that is not a finite number above -1.
     pub(super) fn new(e: f32) -> Result<Self, Error> {
-        let exact = Functions::exponent(e)?;
+        let exact = PowerExponent::new::<Functions>(e)?;
         // From 2^42 on sin theta is proportional to 1 / sqrt(e + 1) in f32, and 1 - r^2 may be 1 - 2^-64:
         // the lobe is that of an exponent between 2^40 and 2^42, shrunk, so that nothing underflows.
         let e_plus_1 = f64::from(e) + 1.0;
@@ -45,9 +46,15 @@ impl FastExponent {
     }
 }
 
+impl From<FastExponent> for PowerExponent<f32> {
+    fn from(exponent: FastExponent) -> Self {
+        exponent.exact
+    }
+}
+
 #[inline(always)]
 pub(super) const fn lift(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
-    let [square, z] = elevation(exponent, ln_complement(disc.r2, disc.rim));
+    let [square, z] = elevation(exponent, ln_complement(disc.r2, disc.one_minus_r2));
     let [x, y] = disc.place_at::<BRANCHES>(exponent.distance(square));
     [x, y, z]
 }

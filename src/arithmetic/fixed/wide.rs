@@ -2,11 +2,10 @@
 //!
 //! The unsigned ones of 32 bits are `bits::wide`'s, which says why there are forms by halves.
 
-pub(in crate::arithmetic) use crate::bits::wide::{HALVES, high, high_by_halves, product};
+pub(in crate::arithmetic) use crate::bits::wide::{high, high_by_halves, product};
+pub(in crate::arithmetic) use crate::target::{COUNTS_ZEROS, HALVES};
 
-/// Whether the core counts leading zeros in one instruction.
-pub(in crate::arithmetic) const COUNTS_ZEROS: bool =
-    !HALVES && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
+use crate::target::WIDE_WORDS;
 
 /// floor(a b / 2^32); |a| is below 2^31 - 2^16.
 #[inline(always)]
@@ -26,11 +25,7 @@ pub(in crate::arithmetic) const fn high_signed_by_halves(a: i32, [b1, b0]: [u16;
 /// floor(a b / 2^64).
 #[inline(always)]
 pub(in crate::arithmetic) const fn high_64(a: u64, b: u64) -> u64 {
-    if cfg!(target_pointer_width = "64") {
-        ((a as u128 * b as u128) >> 64) as u64
-    } else {
-        high_64_by_words(a, b)
-    }
+    if WIDE_WORDS { ((a as u128 * b as u128) >> 64) as u64 } else { high_64_by_words(a, b) }
 }
 
 #[inline(always)]

@@ -1,7 +1,9 @@
 //! The power lobe: the exponent, the lift, its inverse and its density.
 
-use super::disc::{FloatDisc, length_squared, lowered, scaled, unit};
-use super::{Float, Real};
+use super::disc::{FloatDisc, scaled};
+use super::functions::Float;
+use super::inverse::{Lowered, clamp_01, length_squared, lowered};
+use super::real::{Real, RealKernel};
 use crate::error::Error;
 
 /// An exponent e > -1 with what the power lobe needs of it.
@@ -18,7 +20,7 @@ pub struct PowerExponent<R> {
 impl<R: Real> PowerExponent<R> {
     /// # Errors
     /// [`Error::Exponent`] for a value that is not a finite number above -1.
-    pub(super) fn new<T: Float<Real = R>>(e: R) -> Result<Self, Error> {
+    pub(in crate::arithmetic) fn new<T: Float<Real = R>>(e: R) -> Result<Self, Error> {
         let e_plus_1 = e + R::ONE;
         // No e above -1 rounds to e + 1 = 0; NaN fails the comparison.
         if !(e_plus_1 > R::ZERO && e.finite()) {
@@ -39,7 +41,10 @@ impl<R: Real> PowerExponent<R> {
 /// ln z of a direction times e + 1, that is ln(1 - r^2) of its disc point: from z near the horizon,
 /// from x and y near the pole, where z has rounded to 1.
 #[inline]
-fn log_rim<T: Float>(exponent: PowerExponent<T::Real>, [x, y, z]: [T::Real; 3]) -> T::Real {
+fn log_one_minus_r2<T: Float>(
+    exponent: PowerExponent<T::Real>,
+    [x, y, z]: [T::Real; 3],
+) -> T::Real {
     let s2 = length_squared(x, y);
     if s2 <= T::Real::HALF {
         // ln z = ln(1 - s^2) / 2 = -g s^2 / 2; scaled first, for s^2 may underflow where s does not.
@@ -47,7 +52,7 @@ fn log_rim<T: Float>(exponent: PowerExponent<T::Real>, [x, y, z]: [T::Real; 3]) 
         let g = if s2 < T::Real::EPSILON { T::Real::ONE } else { T::ln_1p(-s2) / -s2 };
         -(scaled * g)
     } else {
-        let z = if z > T::Real::MIN_POSITIVE { unit(z) } else { T::Real::MIN_POSITIVE };
+        let z = if z > T::Real::MIN_POSITIVE { clamp_01(z) } else { T::Real::MIN_POSITIVE };
         exponent.e_plus_1 * T::ln(z)
     }
 }
@@ -57,7 +62,7 @@ pub(super) fn lift<T: Float>(
     exponent: PowerExponent<T::Real>,
     disc: FloatDisc<T::Real>,
 ) -> [T::Real; 3] {
-    let log = if disc.r2 < T::Real::HALF { T::ln_1p(-disc.r2) } else { T::ln(disc.rim) };
+    let log = if disc.r2 < T::Real::HALF { T::ln_1p(-disc.r2) } else { T::ln(disc.one_minus_r2) };
     let log_z = log / exponent.e_plus_1;
     let z = T::exp(log_z);
     // What e + 1 has lost would cost |ln z| eps: exp(l / (1 + d)) is exp(l) (1 - l d).
@@ -75,8 +80,8 @@ pub(super) fn lift<T: Float>(
 pub(super) fn lower<T: Float>(
     exponent: PowerExponent<T::Real>,
     [x, y, z]: [T::Real; 3],
-) -> FloatDisc<T::Real> {
-    let log = log_rim::<T>(exponent, [x, y, z]);
+) -> Lowered<T::Real> {
+    let log = log_one_minus_r2::<T>(exponent, [x, y, z]);
     lowered::<T>([x, y], -T::exp_m1(log), T::exp(log))
 }
 
@@ -92,6 +97,6 @@ pub(super) fn density<T: Float>(
     }
     // e ln z = e / (e + 1) ln(1 - r^2), which stays moderate for any e: at most -ln MIN_POSITIVE
     // for e < 0, so the density does not overflow.
-    let log = exponent.e / exponent.e_plus_1 * log_rim::<T>(exponent, direction);
+    let log = exponent.e / exponent.e_plus_1 * log_one_minus_r2::<T>(exponent, direction);
     exponent.e_plus_1 * (T::Real::FRAC_1_PI * T::Real::HALF) * T::exp(log)
 }

@@ -1,11 +1,11 @@
 //! f32 and f64 as the kernels see them: constants, conversions from integers, and exact tests.
 
-use crate::square::{centre_f32, centre_f64};
+use crate::coordinates::{centre_f32, centre_f64};
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use core::str::FromStr;
 
-/// f32 or f64: what the kernels need of a float besides arithmetic. Sealed.
+/// f32 or f64: what a renderer generic over both needs of a float. Sealed.
 pub trait Real:
     Copy
     + Debug
@@ -21,59 +21,55 @@ pub trait Real:
     + Div<Output = Self>
     + Into<f64>
     + FromStr<Err: Display>
-    + sealed::Sealed
+    + RealKernel
 {
-    #[doc(hidden)]
+    /// 0.
     const ZERO: Self;
-    #[doc(hidden)]
+    /// 1/2.
     const HALF: Self;
-    #[doc(hidden)]
+    /// 1.
     const ONE: Self;
-    #[doc(hidden)]
+    /// 2.
     const TWO: Self;
-    #[doc(hidden)]
+    /// 4.
     const FOUR: Self;
-    #[doc(hidden)]
+    /// The distance from 1 to the next larger number.
     const EPSILON: Self;
-    #[doc(hidden)]
+    /// The smallest positive normal number.
     const MIN_POSITIVE: Self;
-    #[doc(hidden)]
+    /// The largest finite number.
     const MAX: Self;
-    /// Far above the smallest normal number, far below 1.
-    #[doc(hidden)]
-    const TINY: Self;
-    #[doc(hidden)]
-    const FRAC_PI_4: Self;
-    #[doc(hidden)]
-    const FRAC_4_PI: Self;
-    #[doc(hidden)]
+    /// 1 / pi.
     const FRAC_1_PI: Self;
+
+    /// The absolute value.
+    fn magnitude(self) -> Self;
+    /// This magnitude with the sign of another number.
+    fn with_sign(self, sign: Self) -> Self;
+    /// Whether it is neither infinite nor NaN.
+    fn finite(self) -> bool;
+}
+
+/// What the kernels need besides.
+#[doc(hidden)]
+pub trait RealKernel: Copy + sealed::Sealed {
+    /// Far above the smallest normal number, far below 1.
+    const TINY: Self;
+    const FRAC_PI_4: Self;
+    const FRAC_4_PI: Self;
     /// n / 2^32, correctly rounded.
-    #[doc(hidden)]
     fn over_2_32(n: u32) -> Self;
     /// n / 2^64, correctly rounded.
-    #[doc(hidden)]
     fn over_2_64(n: u64) -> Self;
     /// (2k + 1) / 2^33, correctly rounded.
-    #[doc(hidden)]
     fn centre(k: u32) -> Self;
     /// (2k + 1) / 2^33, toward zero.
-    #[doc(hidden)]
     fn centre_down(k: u32) -> Self;
     /// floor(2^bits x), saturating at 0 and 2^32 - 1; 0 for NaN.
-    #[doc(hidden)]
     fn cell(self, bits: u32) -> u32;
-    #[doc(hidden)]
-    fn magnitude(self) -> Self;
-    #[doc(hidden)]
-    fn with_sign(self, sign: Self) -> Self;
-    #[doc(hidden)]
-    fn finite(self) -> bool;
     /// The next number toward zero; for positive numbers.
-    #[doc(hidden)]
     fn below(self) -> Self;
     /// Whether a^2 + b^2 > 1, never wrong when true is due; 1/2 <= a <= 2, 0 <= b <= a.
-    #[doc(hidden)]
     fn outside(a: Self, b: Self) -> bool;
 }
 
@@ -94,10 +90,26 @@ macro_rules! real {
             const EPSILON: Self = $float::EPSILON;
             const MIN_POSITIVE: Self = $float::MIN_POSITIVE;
             const MAX: Self = $float::MAX;
+            const FRAC_1_PI: Self = core::$float::consts::FRAC_1_PI;
+
+            #[inline(always)]
+            fn magnitude(self) -> Self {
+                self.abs()
+            }
+            #[inline(always)]
+            fn with_sign(self, sign: Self) -> Self {
+                self.copysign(sign)
+            }
+            #[inline(always)]
+            fn finite(self) -> bool {
+                self.is_finite()
+            }
+        }
+
+        impl RealKernel for $float {
             const TINY: Self = $float::MIN_POSITIVE * (1_u64 << 32) as $float;
             const FRAC_PI_4: Self = core::$float::consts::FRAC_PI_4;
             const FRAC_4_PI: Self = 4.0 * core::$float::consts::FRAC_1_PI;
-            const FRAC_1_PI: Self = core::$float::consts::FRAC_1_PI;
 
             #[inline(always)]
             fn over_2_32(n: u32) -> Self {
@@ -118,18 +130,6 @@ macro_rules! real {
             #[inline(always)]
             fn cell(self, bits: u32) -> u32 {
                 (self * (1_u64 << bits) as $float) as u32
-            }
-            #[inline(always)]
-            fn magnitude(self) -> Self {
-                self.abs()
-            }
-            #[inline(always)]
-            fn with_sign(self, sign: Self) -> Self {
-                self.copysign(sign)
-            }
-            #[inline(always)]
-            fn finite(self) -> bool {
-                self.is_finite()
             }
             #[inline(always)]
             fn below(self) -> Self {

@@ -8,54 +8,56 @@
 //!
 //! **Polar.** The angle within the octant is exact, and so is its bucket; r is a root from a table.
 
-use super::super::fixed::Q15;
-use super::super::q15_div;
 use super::tables::{BUCKETS, HALF, LINES, RECIPROCAL, RECIPROCAL_SHIFT, ROOT};
+use crate::arithmetic::fixed::Q15;
 
 /// A point of the disc before it is rounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Q15Disc {
-    /// |x| and |y| in 2^-31; up to a common factor where an inverse begins.
+    /// |x| and |y| in 2^-31.
     pub(in crate::arithmetic) magnitude: [u32; 2],
-    /// For each -1 where it is positive, else 0: a coordinate's own sign, which needs no constant.
-    pub(in crate::arithmetic) sign: [i32; 2],
+    /// For x and for y, -1 where it is positive, else 0: a coordinate's highest bit, which needs no
+    /// constant.
+    pub(in crate::arithmetic) positive: [i32; 2],
     /// r^2 in 2^-32, not 0.
     pub(in crate::arithmetic) r2: u32,
 }
 
 impl Q15Disc {
-    /// The point, each component toward zero: that needs no constant, and no room to the rim.
+    /// The point, each component toward zero. Truncation saves a constant and can never leave the
+    /// disc.
     #[inline(always)]
     pub(in crate::arithmetic) const fn store(self) -> [Q15; 2] {
-        let ([x, y], [sign_x, sign_y]) = (self.magnitude, self.sign);
-        [signed(x >> 16, sign_x), signed(y >> 16, sign_y)]
+        let ([x, y], [x_positive, y_positive]) = (self.magnitude, self.positive);
+        [signed(x >> 16, x_positive), signed(y >> 16, y_positive)]
     }
 
     /// 1 - r^2 in 2^-32, less one: the complement needs no constant.
     #[inline(always)]
-    pub(in crate::arithmetic) const fn rim(self) -> u32 {
+    pub(in crate::arithmetic) const fn one_minus_r2(self) -> u32 {
         !self.r2
     }
 }
 
-/// The magnitude about the centre in 2^-16, odd, of the cell of a coordinate; and its sign, -1 where positive.
+/// The magnitude about the centre in 2^-16, odd, of the cell of a coordinate; and a mask that is -1
+/// where it is positive, else 0.
 #[inline(always)]
-pub(super) const fn fold(k: u32) -> (u32, i32) {
+pub(in crate::arithmetic) const fn odd_magnitude(k: u32) -> (u32, i32) {
     let j = k.cast_signed() >> 16;
-    let sign = j >> 31;
-    (0xffff - 2 * (j ^ sign).cast_unsigned(), sign)
+    let positive = j >> 31;
+    (0xffff - 2 * (j ^ positive).cast_unsigned(), positive)
 }
 
-/// By the table, or by Q15Div's division.
 #[inline(always)]
-pub(in crate::arithmetic) const fn concentric<const DIVIDES: bool>([u, v]: [u32; 2]) -> Q15Disc {
-    let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));
+pub(super) const fn concentric([u, v]: [u32; 2]) -> Q15Disc {
+    let ((u, u_positive), (v, v_positive)) = (odd_magnitude(u), odd_magnitude(v));
+    let positive = [u_positive, v_positive];
     if v > u {
-        let (y, x) = turned::<DIVIDES>(v, u);
-        Q15Disc { magnitude: [x, y], sign: [sign_u, sign_v], r2: v * v }
+        let (y, x) = rotate(v, u);
+        Q15Disc { magnitude: [x, y], positive, r2: v * v }
     } else {
-        let (x, y) = turned::<DIVIDES>(u, v);
-        Q15Disc { magnitude: [x, y], sign: [sign_u, sign_v], r2: u * u }
+        let (x, y) = rotate(u, v);
+        Q15Disc { magnitude: [x, y], positive, r2: u * u }
     }
 }
 
@@ -82,10 +84,7 @@ const fn bucket_near_centre(a: u32, b: u32) -> u32 {
 
 /// (a cos, a sin) of the angle pi/4 b/a, in 2^-31; 0 < b <= a < 2^16.
 #[inline(always)]
-const fn turned<const DIVIDES: bool>(a: u32, b: u32) -> (u32, u32) {
-    if DIVIDES {
-        return q15_div::turned(a, b);
-    }
+const fn rotate(a: u32, b: u32) -> (u32, u32) {
     let bucket = match bucket(a, b) {
         Some(bucket) => bucket,
         None => bucket_near_centre(a, b),
@@ -120,7 +119,7 @@ pub(in crate::arithmetic) const fn polar([u, v]: [u32; 2]) -> Q15Disc {
     let (x, y) = ((cos * r) >> 1, (sin * r) >> 1);
     Q15Disc {
         magnitude: if steep { [y, x] } else { [x, y] },
-        sign: [if left { 0 } else { -1 }, !below],
+        positive: [if left { 0 } else { -1 }, !below],
         r2,
     }
 }
@@ -140,8 +139,8 @@ pub(super) const fn root_of(x: u32) -> u32 {
     ((ROOT.rising(x) - HALF) >> shift) + HALF
 }
 
-/// A number from its magnitude in LSBs, below 2^15, and its sign, -1 where it is positive.
+/// A number from its magnitude in LSBs, below 2^15, and a mask that is -1 where it is positive, else 0.
 #[inline(always)]
-pub(super) const fn signed(magnitude: u32, sign: i32) -> Q15 {
-    Q15::from_bits((sign - (magnitude.cast_signed() ^ sign)) as i16)
+pub(in crate::arithmetic) const fn signed(magnitude: u32, positive: i32) -> Q15 {
+    Q15::from_bits((positive - (magnitude.cast_signed() ^ positive)) as i16)
 }

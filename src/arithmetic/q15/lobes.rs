@@ -10,10 +10,10 @@
 //! (sin theta / r)^2 = (2 ln 2 / (e + 1)) l g: three factors without a singularity, whose roots are a
 //! prepared number and two tables. Where r^2 >= 1/2, sin theta comes from lambda and 1 / r from a table.
 
-use super::super::Q31Exponent;
-use super::super::fixed::{FixedExponent, Q15};
 use super::disc::{Q15Disc, root_of, signed};
 use super::tables::{BEND, EXP, HALF, INVERSE_ROOT, LOG, POLE, ROOT};
+use crate::arithmetic::fixed::{FixedExponent, Q15};
+use crate::arithmetic::q31::Q31Exponent;
 
 /// An exponent with what the power lobe needs of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,10 +49,6 @@ impl Q15Exponent {
         self.e
     }
 
-    pub(super) const fn wide(self) -> Q31Exponent {
-        self.wide
-    }
-
     /// L / (e + 1) in 2^-32, of an L < 1 in 2^-16.
     #[inline(always)]
     const fn divide_fraction(self, log: u32) -> u32 {
@@ -64,6 +60,12 @@ impl Q15Exponent {
     const fn divide(self, log: u32) -> u32 {
         let scale = self.scale as u32;
         ((log >> 16) * scale + (((log & 0xffff) * scale) >> 16)) >> self.shift
+    }
+}
+
+impl From<Q15Exponent> for Q31Exponent {
+    fn from(exponent: Q15Exponent) -> Self {
+        exponent.wide
     }
 }
 
@@ -82,17 +84,17 @@ const fn height(z: u32) -> Q15 {
 
 /// A component from 2^-31 to the nearest LSB, for the narrowest lobes have few.
 #[inline(always)]
-const fn rounded(magnitude: u32, sign: i32) -> Q15 {
-    signed((magnitude + 0x8000) >> 16, sign)
+const fn rounded(magnitude: u32, positive: i32) -> Q15 {
+    signed((magnitude + 0x8000) >> 16, positive)
 }
 
 /// The disc point times a factor in 2^-15 2^-shift, and z. The product is below 2^32: the true one is at
 /// most 1 without a shift; with one r^2 < 1/2, and the factor is below 2 sqrt 2.
 #[inline(always)]
 const fn lifted(disc: Q15Disc, factor: u32, shift: u32, z: Q15) -> [Q15; 3] {
-    let ([x, y], [sign_x, sign_y]) = (disc.magnitude, disc.sign);
+    let ([x, y], [x_positive, y_positive]) = (disc.magnitude, disc.positive);
     let (x, y) = (((x >> 15) * factor) >> shift, ((y >> 15) * factor) >> shift);
-    [rounded(x, sign_x), rounded(y, sign_y), z]
+    [rounded(x, x_positive), rounded(y, y_positive), z]
 }
 
 /// The disc point times (1 / r) sin theta, for r^2 >= 1/2 and sin theta = sine 2^-14 2^-shift < 1; and z. The
@@ -103,29 +105,29 @@ const fn lifted(disc: Q15Disc, factor: u32, shift: u32, z: Q15) -> [Q15; 3] {
 const fn turned(disc: Q15Disc, sine: u32, shift: u32, half: u32, z: Q15) -> [Q15; 3] {
     let inverse = INVERSE_ROOT.falling(disc.r2 << 1) >> 16;
     let factor = (inverse * sine + (1 << 14)) >> 15;
-    let ([x, y], [sign_x, sign_y]) = (disc.magnitude, disc.sign);
+    let ([x, y], [x_positive, y_positive]) = (disc.magnitude, disc.positive);
     // In 2^-30.
     let (x, y) = (((x >> 15) * factor) >> shift, ((y >> 15) * factor) >> shift);
-    [signed((x + half) >> 15, sign_x), signed((y + half) >> 15, sign_y), z]
+    [signed((x + half) >> 15, x_positive), signed((y + half) >> 15, y_positive), z]
 }
 
 /// z = 1 - r^2, sin theta / r = sqrt(1 + (1 - r^2)).
 #[inline(always)]
 pub(in crate::arithmetic) const fn uniform(disc: Q15Disc) -> [Q15; 3] {
-    let ([x, y], [sign_x, sign_y]) = (disc.magnitude, disc.sign);
-    // (1 + rim) / 4 is in [1/4, 1/2); its root in 2^-16 is that of 1 + rim in 2^-15.
-    let factor = ROOT.rising((1 << 30) + (disc.rim() >> 2)) >> 16;
+    let ([x, y], [x_positive, y_positive]) = (disc.magnitude, disc.positive);
+    // (1 + (1 - r^2)) / 4 is in [1/4, 1/2); its root in 2^-16 is that of 1 + (1 - r^2) in 2^-15.
+    let factor = ROOT.rising((1 << 30) + (disc.one_minus_r2() >> 2)) >> 16;
     let (x, y) = ((x >> 15) * factor, (y >> 15) * factor);
     // From 1 - LSB to LSB: an LSB less at the pole, and none less at the rim.
     let z = 0x7fff - ((disc.r2 - (disc.r2 >> 15)) >> 17);
-    [signed(x >> 16, sign_x), signed(y >> 16, sign_y), Q15::from_bits(z as i16)]
+    [signed(x >> 16, x_positive), signed(y >> 16, y_positive), Q15::from_bits(z as i16)]
 }
 
 /// z = sqrt(1 - r^2).
 #[inline(always)]
 pub(in crate::arithmetic) const fn cosine(disc: Q15Disc) -> [Q15; 3] {
     let [x, y] = disc.store();
-    [x, y, height(root_of(disc.rim()))]
+    [x, y, height(root_of(disc.one_minus_r2()))]
 }
 
 /// z = (1 - r^2)^(1 / (e + 1)).
@@ -143,7 +145,7 @@ pub(in crate::arithmetic) const fn power(exponent: Q15Exponent, disc: Q15Disc) -
         return lifted(disc, factor, exponent.spread_shift as u32, height(EXP.falling(lambda)));
     }
     // The 1, of 2^-32, ends the loop whatever r^2 is.
-    let (mut mantissa, mut whole) = ((disc.rim() << 1) | 1, 2);
+    let (mut mantissa, mut whole) = ((disc.one_minus_r2() << 1) | 1, 2);
     while mantissa >> 31 == 0 {
         mantissa <<= 1;
         whole += 1;

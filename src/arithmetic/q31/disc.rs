@@ -1,30 +1,31 @@
 //! The disc kernels: the concentric and the polar map, and the rounding of a point.
 
-use crate::arithmetic::Q31;
+use crate::arithmetic::fixed::Q31;
 use crate::arithmetic::fixed::root::root;
 use crate::arithmetic::fixed::rotation::{octant, unit};
 use crate::arithmetic::fixed::wide::product;
-use crate::square::fold;
+use crate::coordinates::{Angle, fold, fold_angle};
 
 /// A point of the disc before it gets its signs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Q31Disc {
-    /// |x| in units of 2^-32; where an inverse begins, up to a factor that it has in common with |y|.
-    pub(in crate::arithmetic) x: u32,
-    /// |y| in the same units.
-    pub(in crate::arithmetic) y: u32,
-    /// For each -1 where it is positive, else 0: a coordinate's own sign, which needs no constant.
-    pub(in crate::arithmetic) signs: [i32; 2],
-    /// r^2 in units of 2^-64; not 0 at a sampled point.
-    pub(in crate::arithmetic) r2: u64,
+    /// |x| in units of 2^-32.
+    pub(super) x: u32,
+    /// |y| in units of 2^-32.
+    pub(super) y: u32,
+    /// For x and for y, -1 where it is positive, else 0: a coordinate's highest bit, which needs no
+    /// constant.
+    pub(super) positive: [i32; 2],
+    /// r^2 in units of 2^-64, not 0.
+    pub(super) r2: u64,
     /// 1 - r^2 in units of 2^-64.
-    pub(in crate::arithmetic) rim: u64,
+    pub(super) one_minus_r2: u64,
 }
 
-/// The number of a magnitude in LSBs, below 2^31, and a sign, -1 where it is positive.
+/// The number of a magnitude in LSBs, below 2^31, and a mask that is -1 where it is positive, else 0.
 #[inline(always)]
-pub(super) const fn signed(magnitude: u32, sign: i32) -> Q31 {
-    Q31::from_bits(sign.wrapping_sub(magnitude.cast_signed() ^ sign))
+pub(super) const fn signed(magnitude: u32, positive: i32) -> Q31 {
+    Q31::from_bits(positive.wrapping_sub(magnitude.cast_signed() ^ positive))
 }
 
 /// The nearest positive number to a count of 2^-32.
@@ -48,52 +49,47 @@ const fn halfway(x: u32, by: u32) -> u32 {
 
 impl Q31Disc {
     #[inline(always)]
-    const fn new(x: u32, y: u32, signs: [i32; 2], r2: u64) -> Self {
+    const fn new(x: u32, y: u32, positive: [i32; 2], r2: u64) -> Self {
         // 2^64 - r2; an odd number's square is not 0.
-        Self { x, y, signs, r2, rim: r2.wrapping_neg() }
+        Self { x, y, positive, r2, one_minus_r2: r2.wrapping_neg() }
     }
 
     #[inline(always)]
     pub(super) const fn store(self) -> [Q31; 2] {
-        let [sign_x, sign_y] = self.signs;
-        [signed(self.x >> 1, sign_x), signed(self.y >> 1, sign_y)]
+        let [x_positive, y_positive] = self.positive;
+        [signed(self.x >> 1, x_positive), signed(self.y >> 1, y_positive)]
     }
 }
 
+/// With r^2 and 1 - r^2 where `R2` asks for them: the compiler does not always remove a product that
+/// nobody reads.
 #[inline(always)]
-pub(super) const fn concentric<const RIM: bool>([u, v]: [u32; 2]) -> Q31Disc {
+pub(super) const fn concentric<const R2: bool>([u, v]: [u32; 2]) -> Q31Disc {
     let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));
-    let signs = [!sign_u, !sign_v];
+    let positive = [!sign_u, !sign_v];
     if v > u {
         let (y, x) = octant(v, u);
-        Q31Disc::new(x, y, signs, ring::<RIM>(v))
+        Q31Disc::new(x, y, positive, r2_of::<R2>(v))
     } else {
         let (x, y) = octant(u, v);
-        Q31Disc::new(x, y, signs, ring::<RIM>(u))
+        Q31Disc::new(x, y, positive, r2_of::<R2>(u))
     }
 }
 
 /// r^2 of a magnitude, where it is asked for.
 #[inline(always)]
-const fn ring<const RIM: bool>(m: u32) -> u64 {
-    if RIM { product(2 * m + 1, 2 * m + 1) } else { 0 }
+const fn r2_of<const R2: bool>(m: u32) -> u64 {
+    if R2 { product(2 * m + 1, 2 * m + 1) } else { 0 }
 }
 
 #[inline(always)]
 pub(super) const fn polar([u, v]: [u32; 2]) -> Q31Disc {
-    // u and !u are mirror images in the x axis: fold before rounding.
-    let below = u.cast_signed() >> 31;
-    let half = u ^ below.cast_unsigned();
-    // 31 bits of a half turn: the quarter, the octant in it, 29 bits within.
-    let left = (half << 1).cast_signed() >> 31;
-    let quarter = half ^ (left.cast_unsigned() >> 1);
-    let steep = quarter & 1 << 29 != 0;
-    let within = if steep { quarter ^ 0x3fff_ffff } else { quarter };
+    let Angle { below, left, steep, within } = fold_angle(u);
     let (long, short) = unit(2 * within + 1);
-    let (cos, sin) = if steep { (short, long) } else { (long, short) };
+    let (cos, sin) = if steep != 0 { (short, long) } else { (long, short) };
     let r2 = (2 * v as u64 + 1) << 31;
     let r = root(r2);
     // The floor of the product, as of the others.
     let (x, y) = (halfway(cos, r), halfway(sin, r));
-    Q31Disc::new(x, y, [!left, !below], r2)
+    Q31Disc::new(x, y, [!left.cast_signed(), !below.cast_signed()], r2)
 }

@@ -1,7 +1,6 @@
 //! From a point or a direction back to coordinates: exact squares, roots and quotients of 128 bits.
 
-use super::disc::Q31Disc;
-use crate::arithmetic::Q31;
+use crate::arithmetic::fixed::Q31;
 use crate::arithmetic::fixed::root::root;
 use crate::arithmetic::fixed::rotation::fraction;
 
@@ -31,23 +30,28 @@ pub(super) fn height(z: Q31) -> u64 {
     u64::from(z.to_bits().max(0).cast_unsigned()) << 33
 }
 
-impl Q31Disc {
-    /// Where an inverse begins: a direction and r^2.
+/// What coordinates are found from: a point of the disc by its direction and r.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Lowered {
+    /// |x| and |y|, times any factor.
+    x: u32,
+    y: u32,
+    /// For x and for y, -1 where it is positive, else 0.
+    positive: [i32; 2],
+    /// r^2 in units of 2^-64.
+    r2: u64,
+}
+
+impl Lowered {
     #[inline]
-    pub(super) fn lowered(x: Q31, y: Q31, r2: u64) -> Self {
+    pub(super) fn new(x: Q31, y: Q31, r2: u64) -> Self {
         let [x, y] = [x, y].map(Q31::to_bits);
-        Self {
-            x: x.unsigned_abs(),
-            y: y.unsigned_abs(),
-            signs: [!x >> 31, !y >> 31],
-            r2,
-            rim: complement(r2),
-        }
+        Self { x: x.unsigned_abs(), y: y.unsigned_abs(), positive: [!x >> 31, !y >> 31], r2 }
     }
 }
 
 /// Near the pole r^2 = s^2 / (1 + z), of which x and y know more than z; else r^2 = 1 - z.
-pub(super) fn lower_uniform([x, y, z]: [Q31; 3]) -> Q31Disc {
+pub(super) fn lower_uniform([x, y, z]: [Q31; 3]) -> Lowered {
     let r2 = if z.to_bits() >= 1 << 30 {
         let sum = (1 << 31) + u128::from(z.to_bits().unsigned_abs());
         // Below 2^64, for the sum is above 2^31.
@@ -55,49 +59,49 @@ pub(super) fn lower_uniform([x, y, z]: [Q31; 3]) -> Q31Disc {
     } else {
         complement(height(z))
     };
-    Q31Disc::lowered(x, y, r2)
+    Lowered::new(x, y, r2)
 }
 
 /// Near the pole r^2 = s^2; else r^2 = 1 - z^2.
-pub(super) fn lower_cosine([x, y, z]: [Q31; 3]) -> Q31Disc {
+pub(super) fn lower_cosine([x, y, z]: [Q31; 3]) -> Lowered {
     let s2 = length_squared(x, y);
     let r2 = if s2 >> 63 == 0 {
         s2
     } else {
         complement(u64::from(z.to_bits().max(0).cast_unsigned()).pow(2) << 2)
     };
-    Q31Disc::lowered(x, y, r2)
+    Lowered::new(x, y, r2)
 }
 
-/// The coordinate of a magnitude and its sign: the inverse of `fold`.
+/// The coordinate of a magnitude, -1 where it is positive: the inverse of `fold`.
 #[inline]
-pub(super) fn unfold(magnitude: u32, sign: i32) -> u32 {
-    0x7fff_ffff_u32.saturating_sub(magnitude) ^ sign.cast_unsigned()
+pub(super) fn unfold(magnitude: u32, positive: i32) -> u32 {
+    0x7fff_ffff_u32.saturating_sub(magnitude) ^ positive.cast_unsigned()
 }
 
 /// Whether |y| > |x|, and the angle from the nearer axis as a fraction of an octant in units of 2^-62.
-fn octant(disc: Q31Disc) -> (bool, u64) {
-    let steep = disc.y > disc.x;
-    let (a, b) = if steep { (disc.y, disc.x) } else { (disc.x, disc.y) };
+fn octant_fraction(lowered: Lowered) -> (bool, u64) {
+    let steep = lowered.y > lowered.x;
+    let (a, b) = if steep { (lowered.y, lowered.x) } else { (lowered.x, lowered.y) };
     (steep, if a == 0 { 0 } else { fraction(a, b) })
 }
 
-pub(super) fn concentric(disc: Q31Disc) -> [u32; 2] {
-    let (steep, t) = octant(disc);
-    let major = root(disc.r2) >> 1;
+pub(super) fn concentric(lowered: Lowered) -> [u32; 2] {
+    let (steep, t) = octant_fraction(lowered);
+    let major = root(lowered.r2) >> 1;
     let minor = (u128::from(t) * u128::from(2 * major + 1)) >> 63;
     // On a diagonal rounding must not make the minor the larger one, which has the radius.
     let minor = (minor as u32).min(major);
     let (m_u, m_v) = if steep { (minor, major) } else { (major, minor) };
-    let [sign_u, sign_v] = disc.signs;
-    [unfold(m_u, sign_u), unfold(m_v, sign_v)]
+    let [u_positive, v_positive] = lowered.positive;
+    [unfold(m_u, u_positive), unfold(m_v, v_positive)]
 }
 
-pub(super) fn polar(disc: Q31Disc) -> [u32; 2] {
-    let (steep, t) = octant(disc);
+pub(super) fn polar(lowered: Lowered) -> [u32; 2] {
+    let (steep, t) = octant_fraction(lowered);
     let octant = ((t >> 33) as u32).min(0x1fff_ffff);
     let quarter = if steep { octant ^ 0x3fff_ffff } else { octant };
-    let [left, below] = disc.signs.map(|sign| !sign.cast_unsigned());
+    let [left, below] = lowered.positive.map(|positive| !positive.cast_unsigned());
     let half = quarter ^ (left >> 1);
-    [half ^ below, (disc.r2 >> 32) as u32]
+    [half ^ below, (lowered.r2 >> 32) as u32]
 }

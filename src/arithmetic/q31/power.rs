@@ -1,11 +1,11 @@
 //! The power lobe: the exponent, the lift, its inverse and its density.
 
 use super::disc::{Q31Disc, nearest, signed};
-use super::inverse::{above, complement, height, length_squared};
+use super::inverse::{Lowered, above, complement, height, length_squared};
 use crate::arithmetic::fixed::root::root;
 use crate::arithmetic::fixed::scaled::{Scaled, exp, fall, log};
 use crate::arithmetic::fixed::wide::{high_64, product};
-use crate::arithmetic::{FixedExponent, Q31};
+use crate::arithmetic::fixed::{FixedExponent, Q31};
 
 /// An exponent with what the power lobe needs of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,7 +37,7 @@ const fn plus_1(e: FixedExponent) -> Scaled {
 
 #[inline]
 pub(super) fn lift(exponent: Q31Exponent, disc: Q31Disc) -> [Q31; 3] {
-    let log_z = log(disc.r2, disc.rim).times(exponent.inverse);
+    let log_z = log(disc.r2, disc.one_minus_r2).times(exponent.inverse);
     let z = exp(log_z);
     let s2 = fall(log_z.doubled(), high_64(z, z));
     let r2 = Scaled::new(disc.r2, 0);
@@ -51,8 +51,8 @@ pub(super) fn lift(exponent: Q31Exponent, disc: Q31Disc) -> [Q31; 3] {
     // To the nearest, but toward zero where z < 1/2: no point may leave the hemisphere.
     let half = (z >> 63) << (shift - 1);
     let scaled = |x: u32| ((product(x, ratio) + half) >> shift) as u32;
-    let [sign_x, sign_y] = disc.signs;
-    let (x, y) = (signed(scaled(disc.x), sign_x), signed(scaled(disc.y), sign_y));
+    let [x_positive, y_positive] = disc.positive;
+    let (x, y) = (signed(scaled(disc.x), x_positive), signed(scaled(disc.y), y_positive));
     [x, y, nearest((z >> 32) as u32)]
 }
 
@@ -69,10 +69,10 @@ fn log_z([x, y, z]: [Q31; 3]) -> Scaled {
     }
 }
 
-pub(super) fn lower(exponent: Q31Exponent, direction: [Q31; 3]) -> Q31Disc {
+pub(super) fn lower(exponent: Q31Exponent, direction: [Q31; 3]) -> Lowered {
     let log = log_z(direction).times(plus_1(exponent.value));
     let r2 = fall(log, exp(log)).floor(64);
-    Q31Disc::lowered(direction[0], direction[1], r2)
+    Lowered::new(direction[0], direction[1], r2)
 }
 
 /// z^e.

@@ -1,7 +1,6 @@
 //! Concentric map (P. Shirley and K. Chiu, "A Low Distortion Map between Disk and Square", 1997).
 
-use super::{DiscMap, Map, disc_map};
-use crate::arithmetic::Arithmetic;
+use super::disc_map;
 use core::marker::PhantomData;
 
 /// Squares about the centre of the unit square to circles about the centre of the disc.
@@ -15,7 +14,7 @@ use core::marker::PhantomData;
 /// let [x, y] = Concentric::<LibmF32>::new().sample([u32::MAX, 1 << 31]);
 /// assert!(x > 0.999 && y > 0.0 && y < 1e-9);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Concentric<A>(PhantomData<A>);
 
-disc_map!(Concentric, concentric, invert_concentric);
+disc_map!(Concentric, concentric, concentric_point, invert_concentric);

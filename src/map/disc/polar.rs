@@ -1,7 +1,6 @@
 //! Polar map: u is the angle, v the squared radius.
 
-use super::{DiscMap, Map, disc_map};
-use crate::arithmetic::Arithmetic;
+use super::disc_map;
 use core::marker::PhantomData;
 
 /// r = sqrt v, phi = 2 pi u: the textbook's map, which keeps area ratios but not neighbours.
@@ -15,7 +14,7 @@ use core::marker::PhantomData;
 /// let [x, y] = Polar::<LibmF32>::new().sample([1 << 30, 1 << 30]);
 /// assert!(x.abs() < 1e-9 && (y - 0.5).abs() < 1e-7);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Polar<A>(PhantomData<A>);
 
-disc_map!(Polar, polar, invert_polar);
+disc_map!(Polar, polar, polar_point, invert_polar);

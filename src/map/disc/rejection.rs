@@ -4,9 +4,9 @@
 //! centre, (2m + 1)^2 + (2n + 1)^2 <= 2^64 is m (m + 1) + n (n + 1) < 2^62. About 1 - pi/4 = 21.5 % of the
 //! candidates are lost, and with them the strata of a stratified set.
 
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::{Arithmetic, Back};
+use crate::coordinates::fold;
 use crate::error::Error;
-use crate::square::fold;
 use core::iter::Take;
 use core::marker::PhantomData;
 use core::num::NonZeroU32;
@@ -14,7 +14,8 @@ use core::num::NonZeroU32;
 /// An iterator adaptor from coordinates to the points of the disc that survive.
 ///
 /// The draws are bounded: by the length of the candidates ([`new`](Self::new)), to a number in all
-/// ([`of_draws`](Self::of_draws)) or to a number for each point ([`bounded`](Self::bounded)).
+/// ([`with_draws`](Self::with_draws)) or to a number for each point
+/// ([`with_limit`](Self::with_limit)).
 ///
 /// ```
 /// use hemidisc::{Concentric, LibmF32, Points, disc::Rejection, sequence::Regular};
@@ -39,7 +40,7 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Rejection<A, I> {
     where
         I: ExactSizeIterator,
     {
-        Self::with_limit(candidates, None)
+        Self::unchecked(candidates, None)
     }
 
     /// Draws at most `limit` candidates for each point, from candidates that may never end.
@@ -50,19 +51,19 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Rejection<A, I> {
     ///
     /// # Errors
     /// [`Error::NoDraws`] for a limit of 0.
-    pub fn bounded(candidates: I, limit: u32) -> Result<Self, Error> {
+    pub fn with_limit(candidates: I, limit: u32) -> Result<Self, Error> {
         match NonZeroU32::new(limit) {
-            Some(limit) => Ok(Self::with_limit(candidates, Some(limit))),
+            Some(limit) => Ok(Self::unchecked(candidates, Some(limit))),
             None => Err(Error::NoDraws),
         }
     }
 
     /// Draws `draws` candidates in all, from candidates that may never end.
-    pub fn of_draws(candidates: I, draws: u32) -> Rejection<A, Take<I>> {
-        Rejection::with_limit(candidates.take(draws as usize), None)
+    pub fn with_draws(candidates: I, draws: u32) -> Rejection<A, Take<I>> {
+        Rejection::unchecked(candidates.take(draws as usize), None)
     }
 
-    const fn with_limit(candidates: I, limit: Option<NonZeroU32>) -> Self {
+    const fn unchecked(candidates: I, limit: Option<NonZeroU32>) -> Self {
         Self { candidates, limit, drawn: 0, kept: 0, arithmetic: PhantomData }
     }
 
@@ -97,13 +98,13 @@ impl<A: Arithmetic> Rejection<A> {
     /// The density of the survivors: 1 / pi, and 0 outside the disc.
     #[inline]
     pub fn density(point: [A::Real; 2]) -> A::Real {
-        A::disc_density(point)
+        A::Back::disc_density(point)
     }
 
     /// The candidate of a point.
     #[inline]
     pub fn invert(point: [A::Real; 2]) -> [u32; 2] {
-        A::invert_centred(point)
+        A::Back::invert_centred(point)
     }
 }
 
@@ -118,7 +119,7 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Iterator for Rejection<A, I> {
             if let Some(left) = &mut left {
                 *left -= 1;
                 if *left == 0 {
-                    return Some(A::store(A::concentric::<false>(candidate)));
+                    return Some(A::concentric_point(candidate));
                 }
             }
             if let Some(point) = Rejection::<A>::sample(candidate) {

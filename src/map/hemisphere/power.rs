@@ -1,7 +1,7 @@
 //! Cosine-power lobe: z = (1 - r^2)^(1 / (e + 1)), density (e + 1) z^e / (2 pi) per steradian
 //! (K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 7).
 
-use super::{Lobe, lobe};
+use super::lobe;
 use crate::arithmetic::Arithmetic;
 use crate::error::Error;
 
@@ -18,9 +18,8 @@ impl<A: Arithmetic> PowerLobe<A> {
         Ok(Self { exponent: A::exponent(exponent)? })
     }
 
-    /// The exponent, checked and prepared.
-    pub const fn exponent(&self) -> A::Exponent {
-        self.exponent
+    pub(super) fn exponent(&self) -> A::Parameter {
+        A::parameter(self.exponent)
     }
 }
 

@@ -11,18 +11,18 @@ use crate::error::{Axis, Error};
 /// that start as floats, and the way out to floats.
 ///
 /// ```
-/// use hemidisc::Square;
-/// let cell = Square::try_from([0.25_f32, 0.5])?;
-/// assert_eq!(cell, Square([0x4000_0000, 0x8000_0000]));
+/// use hemidisc::Coordinates;
+/// let cell = Coordinates::try_from([0.25_f32, 0.5])?;
+/// assert_eq!(cell, Coordinates([0x4000_0000, 0x8000_0000]));
 /// assert_eq!(cell.to_f32(), [0.25, 0.5]);
-/// let error = Square::try_from([0.25_f64, 1.0]).unwrap_err();
+/// let error = Coordinates::try_from([0.25_f64, 1.0]).unwrap_err();
 /// assert_eq!(error.to_string(), "coordinate v is 1; accepted: 0 <= v < 1");
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Square(pub [u32; 2]);
+pub struct Coordinates(pub [u32; 2]);
 
-impl Square {
+impl Coordinates {
     /// The centres of the two cells, each in (0, 1), rounded toward zero to 24 bits.
     #[inline]
     pub fn to_f32(self) -> [f32; 2] {
@@ -52,7 +52,8 @@ pub(crate) fn centre_f64(k: u32) -> f64 {
     (f64::from(k) + 0.5) * SCALE
 }
 
-/// The magnitude m of a coordinate about the centre, 2u - 1 = +-(2m + 1) / 2^32, and its sign: 0 or -1.
+/// The magnitude m of a coordinate about the centre, 2u - 1 = +-(2m + 1) / 2^32, and its sign: 0, or
+/// -1 where it is negative.
 #[inline(always)]
 pub(crate) const fn fold(k: u32) -> (u32, i32) {
     let j = (k ^ 0x8000_0000).cast_signed();
@@ -60,10 +61,35 @@ pub(crate) const fn fold(k: u32) -> (u32, i32) {
     ((j ^ sign).cast_unsigned(), sign)
 }
 
+/// The angle 2 pi u folded to an octant, each mask all ones or 0.
+#[derive(Clone, Copy)]
+pub(crate) struct Angle {
+    /// Whether y is negative.
+    pub(crate) below: u32,
+    /// Whether x is negative.
+    pub(crate) left: u32,
+    /// Whether x and y swap places.
+    pub(crate) steep: u32,
+    /// The cell within the octant, of 29 bits.
+    pub(crate) within: u32,
+}
+
+/// Folds an angle: u and !u are mirror images in the x axis, so they fold before anything is rounded.
+#[inline(always)]
+pub(crate) const fn fold_angle(u: u32) -> Angle {
+    let below = (u.cast_signed() >> 31).cast_unsigned();
+    // 31 bits of a half turn: the quarter, the octant in it, 29 bits within.
+    let half = u ^ below;
+    let left = ((half << 1).cast_signed() >> 31).cast_unsigned();
+    let quarter = half ^ left >> 1;
+    let steep = ((quarter << 2).cast_signed() >> 31).cast_unsigned();
+    Angle { below, left, steep, within: quarter ^ steep >> 2 }
+}
+
 /// The cell of `value`; the multiplication by a power of two is exact, the cast rounds down.
 macro_rules! checked_cells {
     ($float:ty) => {
-        impl TryFrom<[$float; 2]> for Square {
+        impl TryFrom<[$float; 2]> for Coordinates {
             type Error = Error;
 
             /// The cells that hold the two values: floor(2^32 value).
@@ -89,14 +115,14 @@ macro_rules! checked_cells {
 checked_cells!(f32);
 checked_cells!(f64);
 
-impl From<Square> for [u32; 2] {
+impl From<Coordinates> for [u32; 2] {
     #[inline]
-    fn from(square: Square) -> Self {
-        square.0
+    fn from(coordinates: Coordinates) -> Self {
+        coordinates.0
     }
 }
 
-impl From<[u32; 2]> for Square {
+impl From<[u32; 2]> for Coordinates {
     #[inline]
     fn from(cells: [u32; 2]) -> Self {
         Self(cells)
@@ -128,19 +154,22 @@ mod tests {
             for at in [0, 1] {
                 let mut pair = [0.5, 0.5];
                 pair[at] = bad;
-                assert!(Square::try_from(pair).is_err(), "{bad} accepted");
-                assert!(Square::try_from(pair.map(f64::from)).is_err(), "{bad} accepted");
+                assert!(Coordinates::try_from(pair).is_err(), "{bad} accepted");
+                assert!(Coordinates::try_from(pair.map(f64::from)).is_err(), "{bad} accepted");
             }
         }
         let top = 1.0 - f64::EPSILON / 2.0;
-        assert_eq!(Square::try_from([0.0, top]), Ok(Square([0, u32::MAX])));
-        assert_eq!(Square::try_from([-0.0_f32, f32::MIN_POSITIVE]), Ok(Square([0, 0])));
+        assert_eq!(Coordinates::try_from([0.0, top]), Ok(Coordinates([0, u32::MAX])));
+        assert_eq!(Coordinates::try_from([-0.0_f32, f32::MIN_POSITIVE]), Ok(Coordinates([0, 0])));
     }
 
     #[test]
     fn cells_survive_a_round_trip() {
         for k in [0, 1, 2, 0x7fff_ffff, 0x8000_0000, u32::MAX, 0x1234_5678] {
-            assert_eq!(Square::try_from(Square([k, !k]).to_f64()), Ok(Square([k, !k])));
+            assert_eq!(
+                Coordinates::try_from(Coordinates([k, !k]).to_f64()),
+                Ok(Coordinates([k, !k]))
+            );
         }
     }
 }

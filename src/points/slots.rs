@@ -1,0 +1,92 @@
+//! Where points are stored: interleaved in one buffer, or each component in a buffer of its own.
+
+use crate::block::{BLOCK, Lanes, Point};
+use crate::map::Map;
+use crate::sequence::Sequence;
+
+/// Memory of a caller's for points.
+pub(super) trait Slots<P: Point>: Sized {
+    /// The first `count` slots, and those after them.
+    fn split(self, count: usize) -> (Self, Self);
+
+    /// Stores the points of a sequence from an index on, one by one.
+    fn fill_singly<S: Sequence, M: Map<Point = P>>(
+        self,
+        count: usize,
+        sequence: &S,
+        start: u32,
+        map: &M,
+    );
+
+    /// Stores a block of points: the `index`-th of these slots.
+    fn store(&mut self, index: usize, components: &P::Components);
+}
+
+impl<P: Point> Slots<P> for &mut [P] {
+    #[inline(always)]
+    fn split(self, count: usize) -> (Self, Self) {
+        self.split_at_mut(count.min(self.len()))
+    }
+
+    #[inline(always)]
+    fn fill_singly<S: Sequence, M: Map<Point = P>>(
+        self,
+        _: usize,
+        sequence: &S,
+        start: u32,
+        map: &M,
+    ) {
+        sequence.fill_with(start, self, |uv| map.sample(uv));
+    }
+
+    #[inline(always)]
+    fn store(&mut self, index: usize, components: &P::Components) {
+        if let Some(block) = self.as_chunks_mut::<BLOCK>().0.get_mut(index) {
+            P::interleave(components, block);
+        }
+    }
+}
+
+/// A buffer for each component, each as long as there are slots, or longer.
+pub(super) struct Apart<'a, R, const D: usize>(pub(super) [&'a mut [R]; D]);
+
+impl<R: Copy + Default, const D: usize> Slots<[R; D]> for Apart<'_, R, D> {
+    #[inline(always)]
+    fn split(self, count: usize) -> (Self, Self) {
+        let mut after = [const { None }; D];
+        let mut before = self.0.map(Some);
+        for (before, after) in before.iter_mut().zip(&mut after) {
+            if let Some(buffer) = before.take() {
+                let (first, rest) = buffer.split_at_mut(count.min(buffer.len()));
+                (*before, *after) = (Some(first), Some(rest));
+            }
+        }
+        (Self(before.map(Option::unwrap_or_default)), Self(after.map(Option::unwrap_or_default)))
+    }
+
+    #[inline(always)]
+    fn fill_singly<S: Sequence, M: Map<Point = [R; D]>>(
+        mut self,
+        count: usize,
+        sequence: &S,
+        start: u32,
+        map: &M,
+    ) {
+        for (index, uv) in sequence.iter(start).take(count).enumerate() {
+            for (buffer, value) in self.0.iter_mut().zip(map.sample(uv)) {
+                if let Some(slot) = buffer.get_mut(index) {
+                    *slot = value;
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn store(&mut self, index: usize, components: &[Lanes<R>; D]) {
+        for (buffer, lanes) in self.0.iter_mut().zip(components) {
+            if let Some(block) = buffer.as_chunks_mut::<BLOCK>().0.get_mut(index) {
+                *block = *lanes;
+            }
+        }
+    }
+}

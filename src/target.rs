@@ -1,0 +1,59 @@
+//! What the target's processor does well: every `cfg` of a processor, its reason and its measurement.
+//!
+//! The bits are the same whichever form a constant chooses. Tests compile both forms of each kernel
+//! and compare them. docs/firmware.md has the instructions counted on each core.
+
+#[cfg(target_pointer_width = "16")]
+compile_error!("hemidisc counts points in u32 and needs a usize of at least 32 bits");
+
+/// Whether a buffer is filled by blocks of 64 points rather than point by point.
+///
+/// Blocks become vector code. On x86-64 they were faster for every sequence and map tried; on a
+/// microcontroller the arrays of a block cost more than they save.
+pub(crate) const BLOCKED: bool = cfg!(not(any(target_arch = "arm", target_arch = "riscv32")));
+
+/// Whether a branch costs less than the operations that avoid it: where nothing becomes vector
+/// code. With branches the kernels of fast f32 take a third fewer instructions on the M3 and M4F.
+pub(crate) const BRANCHES: bool = !BLOCKED;
+
+/// Whether the processor lacks the product of 32 x 32 bits to 64: Armv6-M and the baseline of
+/// Armv8-M (Cortex-M0 and M23).
+///
+/// Such a core calls a routine of 64 x 64 bits for the product of two `u32`. Four products of halves
+/// are a third of its cost. It also lacks instructions that count zeros or reverse bits.
+///
+/// Stable Rust shows neither `thumb2` nor another sign of the difference between a Cortex-M23 and an
+/// M3. Where unstable features are visible (a nightly, or `core` built from source) the M23 is
+/// recognised; elsewhere `RUSTFLAGS="--cfg hemidisc_short_products"` says so. An M23 that takes the
+/// M3's forms needs up to twice the instructions: 259 for a concentric disc in Q31 where the
+/// M0's form takes 158, and 6738 for a power lobe where it takes 4996.
+pub(crate) const HALVES: bool = cfg!(all(
+    target_arch = "arm",
+    any(
+        not(target_has_atomic = "32"),
+        all(target_feature = "mclass", not(target_feature = "thumb2")),
+        hemidisc_short_products,
+    )
+));
+
+/// Whether the processor counts leading zeros in one instruction.
+pub(crate) const COUNTS_ZEROS: bool =
+    !HALVES && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
+
+/// Whether the processor reverses bits in one instruction or in vectors.
+///
+/// Where it does not, reversing takes some 20 instructions, and counting on with a carry from the
+/// highest bit down passes two bits on average.
+pub(crate) const REVERSES_BITS: bool = !HALVES && !cfg!(target_arch = "riscv32");
+
+/// Whether vectors multiply halves of words but not words: x86 before SSE4.1.
+///
+/// It takes a product of words apart into two products of every other word and shuffles them
+/// together again. A fill of Owen-scrambled points takes 2.79 ns a point in halves and 3.60 in
+/// words there. With AVX-512 halves are 9 % slower than words.
+pub(crate) const VECTORS_OF_HALVES: bool =
+    cfg!(all(any(target_arch = "x86", target_arch = "x86_64"), not(target_feature = "sse4.1")));
+
+/// Whether the processor's words have 64 bits: it multiplies them to 128, and it guesses at branches
+/// far ahead, so a choice that it would guess wrong every other time is a look-up instead.
+pub(crate) const WIDE_WORDS: bool = cfg!(target_pointer_width = "64");
