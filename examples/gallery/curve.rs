@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 /// A curve with no more points than keep it within `tolerance` of where it was.
-pub(crate) fn thin(curve: &[[f64; 2]], tolerance: f64) -> Vec<[f64; 2]> {
+pub fn thin(curve: &[[f64; 2]], tolerance: f64) -> Vec<[f64; 2]> {
     let mut kept: Vec<[f64; 2]> = curve.first().copied().into_iter().collect();
     let mut from = 0;
     for to in 2..curve.len() {
@@ -33,7 +33,7 @@ fn off([x, y]: [f64; 2], [ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
 }
 
 /// The part of the straight line between two points that is inside the unit disc.
-pub(crate) fn chord([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+pub fn chord([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
     let (dx, dy) = (bx - ax, by - ay);
     // |a + t d|^2 = 1 at t = middle +- half.
     let squared = dx * dx + dy * dy;
@@ -49,7 +49,7 @@ pub(crate) fn chord([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> Option<[[f64; 2];
 }
 
 /// The part of a convex outline inside the unit disc: cut by the disc's tangents in turn.
-pub(crate) fn clipped(outline: &[[f64; 2]]) -> Vec<[f64; 2]> {
+pub fn clipped(outline: &[[f64; 2]]) -> Vec<[f64; 2]> {
     const TANGENTS: u32 = 180;
     let mut kept = outline.to_vec();
     for k in 0..TANGENTS {
