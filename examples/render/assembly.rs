@@ -23,7 +23,9 @@ pub type Render =
     fn(&Scene, Effects, &Settings, &Region, &mut dyn FnMut()) -> Result<frame::Frame, String>;
 
 /// The arithmetics that have a square root, by name.
-pub const ARITHMETICS: &[(&str, Render)] = &[
+///
+/// `static`, so that the renderers are compiled with this library and not with each program.
+pub static ARITHMETICS: &[(&str, Render)] = &[
     (LibmF64::NAME, render::<LibmF64>),
     (LibmF32::NAME, render::<LibmF32>),
     (FastF32::NAME, render::<FastF32>),
