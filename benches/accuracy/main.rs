@@ -13,12 +13,6 @@
 #[macro_use]
 #[path = "../../tests/arithmetics/mod.rs"]
 mod arithmetics;
-#[path = "../../examples/gallery/canvas.rs"]
-#[expect(dead_code, reason = "the gallery draws more")]
-mod canvas;
-#[path = "../../examples/gallery/curve.rs"]
-#[allow(dead_code, unused_imports, reason = "the gallery draws more, and tests it")]
-mod curve;
 #[path = "../../tests/accuracy/errors.rs"]
 #[expect(dead_code, reason = "the tests assert bounds")]
 mod errors;
@@ -54,7 +48,7 @@ struct Arguments {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
     let mut rows = measure::rows();
     time::measure(&mut rows);
     let boards = firmware::add(&mut rows, &root.join("target/firmware/report.json"))?;

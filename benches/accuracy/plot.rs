@@ -2,11 +2,11 @@
 //!
 //! Of the marks of a panel those on the line are not beaten in both error and cost by another: the Pareto frontier.
 
-use crate::canvas::{
-    Align, BLUE, Drawn, Frame, GREEN, GREY, INK, LINE, NOTE, PURPLE, Panel, Sheet, VERMILION, plate,
-};
 use crate::frontier::{CORES, HOST, Mark, frontier, marks};
 use crate::measure::Row;
+use examples::gallery::canvas::{
+    Align, BLUE, Drawn, Frame, GREEN, GREY, INK, LINE, NOTE, PURPLE, Panel, Sheet, VERMILION, plate,
+};
 use plotters::prelude::RGBColor;
 use std::error::Error;
 use std::ops::Range;

@@ -185,5 +185,5 @@ impl Report {
 
 /// The same for every build, which may have target folders of their own.
 fn path(name: &str) -> PathBuf {
-    [env!("CARGO_MANIFEST_DIR"), "target", "throughput", name].iter().collect()
+    [env!("CARGO_MANIFEST_DIR"), "..", "target", "throughput", name].iter().collect()
 }

@@ -9,19 +9,16 @@
 //! `panel` draws, with the renderer of the example `render`, and asks for nothing but `core` and a `DrawTarget`. That
 //! is a panel in memory here, and in a firmware the display of its driver; nothing else changes.
 
-#[path = "../gallery/messages.rs"]
-mod messages;
 mod panel;
 #[cfg(test)]
 mod tests;
-#[path = "../render/tracer/mod.rs"]
-#[expect(dead_code, unused_imports, reason = "`render` counts, and does without effects")]
-mod tracer;
 
 use clap::Parser;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
-use messages::{answer, say, unwritable};
+use examples::messages::{answer, say, unwritable};
+// `panel` finds the renderer here, as it does in a firmware.
+use examples::tracer;
 use panel::picture::PASSES;
 use panel::scene::Objects;
 use panel::{discs, picture};

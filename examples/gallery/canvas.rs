@@ -3,7 +3,7 @@
 //! `plotters` places everything on whole pixels, which makes curves wobble and circles sit off
 //! their centres; so a plate is drawn ten times as large, and its header makes it small again.
 
-use crate::curve::thin;
+use crate::gallery::curve::thin;
 use plotters::coord::types::RangedCoordf64;
 use plotters::coord::{Shift, cartesian::Cartesian2d};
 use plotters::prelude::{
@@ -14,49 +14,49 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
 use std::ops::Range;
 
-pub(crate) type Drawn = Result<(), Box<dyn Error>>;
+pub type Drawn = Result<(), Box<dyn Error>>;
 
 /// Units of the drawing in a pixel of the plate.
 const FINE: f64 = 10.0;
 
-pub(crate) const INK: RGBColor = RGBColor(0x1c, 0x1f, 0x24);
-pub(crate) const NOTE: RGBColor = RGBColor(0x55, 0x5c, 0x66);
-pub(crate) const LINE: RGBColor = RGBColor(0x8d, 0x97, 0xa5);
-pub(crate) const GREY: RGBColor = RGBColor(0xa6, 0xac, 0xb4);
+pub const INK: RGBColor = RGBColor(0x1c, 0x1f, 0x24);
+pub const NOTE: RGBColor = RGBColor(0x55, 0x5c, 0x66);
+pub const LINE: RGBColor = RGBColor(0x8d, 0x97, 0xa5);
+pub const GREY: RGBColor = RGBColor(0xa6, 0xac, 0xb4);
 // From the palette of M. Okabe and K. Ito (2008), which colour-blind readers tell apart.
-pub(crate) const VERMILION: RGBColor = RGBColor(0xd5, 0x5e, 0x00);
-pub(crate) const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xb2);
-pub(crate) const GREEN: RGBColor = RGBColor(0x00, 0x9e, 0x73);
-pub(crate) const PURPLE: RGBColor = RGBColor(0xa2, 0x4f, 0x86);
+pub const VERMILION: RGBColor = RGBColor(0xd5, 0x5e, 0x00);
+pub const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xb2);
+pub const GREEN: RGBColor = RGBColor(0x00, 0x9e, 0x73);
+pub const PURPLE: RGBColor = RGBColor(0xa2, 0x4f, 0x86);
 
 /// A rectangle of a plate in pixels: left, top, width and height.
 #[derive(Clone, Copy)]
-pub(crate) struct Frame {
-    pub(crate) x: f64,
-    pub(crate) y: f64,
-    pub(crate) width: f64,
-    pub(crate) height: f64,
+pub struct Frame {
+    pub x: f64,
+    pub y: f64,
+    pub width: f64,
+    pub height: f64,
 }
 
 impl Frame {
-    pub(crate) const fn square(x: f64, y: f64, side: f64) -> Self {
+    pub const fn square(x: f64, y: f64, side: f64) -> Self {
         Self { x, y, width: side, height: side }
     }
 }
 
 /// Where a text stands against its position.
 #[derive(Clone, Copy)]
-pub(crate) enum Align {
+pub enum Align {
     Left,
     Centre,
     Right,
 }
 
 /// A whole plate.
-pub(crate) struct Sheet<'a>(DrawingArea<SVGBackend<'a>, Shift>);
+pub struct Sheet<'a>(DrawingArea<SVGBackend<'a>, Shift>);
 
 /// Draws a plate of a size in pixels; the text of the SVG file.
-pub(crate) fn plate(
+pub fn plate(
     [width, height]: [u32; 2],
     draw: impl FnOnce(&Sheet) -> Drawn,
 ) -> Result<String, Box<dyn Error>> {
@@ -79,7 +79,7 @@ pub(crate) fn plate(
 
 impl<'a> Sheet<'a> {
     /// A line of text; `y` is the middle of its height.
-    pub(crate) fn text(
+    pub fn text(
         &self,
         text: &str,
         at: [f64; 2],
@@ -91,7 +91,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// A heading.
-    pub(crate) fn bold(&self, text: &str, at: [f64; 2], size: f64, align: Align) -> Drawn {
+    pub fn bold(&self, text: &str, at: [f64; 2], size: f64, align: Align) -> Drawn {
         self.write(text, at, size, align, INK, FontStyle::Bold)
     }
 
@@ -116,7 +116,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// A part of the plate in coordinates of its own, y upwards.
-    pub(crate) fn panel(&self, frame: Frame, x: Range<f64>, y: Range<f64>) -> Panel<'a> {
+    pub fn panel(&self, frame: Frame, x: Range<f64>, y: Range<f64>) -> Panel<'a> {
         let across = fine(frame.x)..fine(frame.x + frame.width);
         let up = fine(frame.y + frame.height)..fine(frame.y);
         let scale = f64::from(across.end - across.start) / (x.end - x.start);
@@ -126,39 +126,39 @@ impl<'a> Sheet<'a> {
 }
 
 /// A part of a plate with coordinates, equally long on both axes.
-pub(crate) struct Panel<'a> {
+pub struct Panel<'a> {
     area: DrawingArea<SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>,
     scale: f64,
 }
 
 impl Panel<'_> {
     /// A curve through points, `width` pixels wide.
-    pub(crate) fn curve(&self, points: &[[f64; 2]], width: f64, colour: RGBColor) -> Drawn {
+    pub fn curve(&self, points: &[[f64; 2]], width: f64, colour: RGBColor) -> Drawn {
         let style = ShapeStyle::from(&colour).stroke_width(fine(width).unsigned_abs());
         Ok(self.area.draw(&PathElement::new(self.thinned(points), style))?)
     }
 
     /// The inside of a closed curve.
-    pub(crate) fn fill(&self, points: &[[f64; 2]], colour: RGBColor) -> Drawn {
+    pub fn fill(&self, points: &[[f64; 2]], colour: RGBColor) -> Drawn {
         Ok(self
             .area
             .draw(&Polygon::new(self.thinned(points), ShapeStyle::from(&colour).filled()))?)
     }
 
     /// Dots with a radius in pixels.
-    pub(crate) fn dots(&self, centres: &[[f64; 2]], radius: f64, colour: RGBColor) -> Drawn {
+    pub fn dots(&self, centres: &[[f64; 2]], radius: f64, colour: RGBColor) -> Drawn {
         let style = ShapeStyle::from(&colour).filled();
         centres.iter().try_for_each(|at| self.circle_of(*at, fine(radius), style))
     }
 
     /// Rings with a radius in pixels.
-    pub(crate) fn rings(&self, centres: &[[f64; 2]], radius: f64, colour: RGBColor) -> Drawn {
+    pub fn rings(&self, centres: &[[f64; 2]], radius: f64, colour: RGBColor) -> Drawn {
         let style = ShapeStyle::from(&colour).stroke_width(fine(1.0).unsigned_abs());
         centres.iter().try_for_each(|at| self.circle_of(*at, fine(radius), style))
     }
 
     /// A circle about the origin of the panel's coordinates.
-    pub(crate) fn circle(&self, radius: f64, width: f64, colour: RGBColor) -> Drawn {
+    pub fn circle(&self, radius: f64, width: f64, colour: RGBColor) -> Drawn {
         let style = ShapeStyle::from(&colour).stroke_width(fine(width).unsigned_abs());
         self.circle_of([0.0, 0.0], (radius * self.scale).round() as i32, style)
     }

@@ -1,7 +1,7 @@
 //! The hemisphere as seen from above or from the side, by parallel projection.
 
-use crate::canvas::{Drawn, Frame, INK, LINE, Panel, Sheet};
 use crate::grid::{cells, lines};
+use examples::gallery::canvas::{Drawn, Frame, INK, LINE, Panel, Sheet};
 use plotters::prelude::RGBColor;
 
 /// Cells of the coloured ground along an axis.

@@ -10,22 +10,18 @@
 //!
 //! The plates hold no times and are the same on every run; the table's times are this machine's.
 
-mod canvas;
-mod curve;
 mod dome;
 mod grid;
-mod messages;
 mod panels;
 mod plates;
-mod progress;
 mod sets;
 mod statistics;
 mod table;
 
 use clap::Parser;
+use examples::messages::{answer, say, unwritable};
+use examples::progress::Progress;
 use hemidisc::catalogue::SEQUENCES;
-use messages::{answer, say, unwritable};
-use progress::Progress;
 use sets::COUNTS;
 use std::error::Error;
 use std::fs;

@@ -1,9 +1,11 @@
 //! The panels that several plates share: a grid through a map, and a set of points on it.
 
-use crate::canvas::{Align, Drawn, Frame, GREY, INK, LINE, NOTE, Panel, Sheet, VERMILION};
-use crate::curve::{chord, clipped};
 use crate::grid::{Image, cells, lines};
 use crate::statistics::closest_pair;
+use examples::gallery::canvas::{
+    Align, Drawn, Frame, GREY, INK, LINE, NOTE, Panel, Sheet, VERMILION,
+};
+use examples::gallery::curve::{chord, clipped};
 use plotters::prelude::WHITE;
 
 /// Cells of the coloured ground along an axis.

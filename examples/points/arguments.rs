@@ -2,9 +2,10 @@
 //!
 //! An error names the argument, what was wrong and what is accepted.
 
-use crate::{Failure, refusal};
+use crate::Failure;
 use clap::builder::PossibleValuesParser;
 use clap::{CommandFactory, Parser, ValueEnum};
+use examples::refusal;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{ARITHMETICS, AVAILABLE_ARITHMETICS, SEQUENCES};
 use std::num::NonZeroU32;

@@ -32,7 +32,6 @@ impl Field for f64 {
     }
 }
 
-#[cfg(feature = "fixed-point")]
 macro_rules! fixed {
     ($($number:ident),*) => {$(
         impl Field for hemidisc::$number {
@@ -46,7 +45,6 @@ macro_rules! fixed {
         }
     )*};
 }
-#[cfg(feature = "fixed-point")]
 fixed!(Q15, Q31);
 
 /// Writes a number as a field.
@@ -60,13 +58,7 @@ pub(crate) fn writer<R: 'static>(raw: bool) -> Option<Writer<R>> {
     fn of<F: Field>(raw: bool) -> Writer<F> {
         if raw { F::raw } else { F::decimal }
     }
-    let fields: &[&dyn Any] = &[
-        &of::<f32>(raw),
-        &of::<f64>(raw),
-        #[cfg(feature = "fixed-point")]
-        &of::<hemidisc::Q15>(raw),
-        #[cfg(feature = "fixed-point")]
-        &of::<hemidisc::Q31>(raw),
-    ];
+    let fields: &[&dyn Any] =
+        &[&of::<f32>(raw), &of::<f64>(raw), &of::<hemidisc::Q15>(raw), &of::<hemidisc::Q31>(raw)];
     fields.iter().find_map(|writer| writer.downcast_ref()).copied()
 }

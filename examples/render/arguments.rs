@@ -2,9 +2,9 @@
 //!
 //! An error names the argument, what was wrong and what is accepted.
 
-use crate::refusal;
-use crate::request::{self, Request};
 use clap::{CommandFactory, Parser, ValueEnum};
+use examples::refusal;
+use examples::render::request::{self, Request};
 use std::num::NonZeroU8;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;

@@ -2,16 +2,15 @@
 //!
 //! Every effect doubles the number of types of renderer: each function below settles one and calls the next.
 
-use crate::description::{self as scene, Aperture, Scene};
-use crate::effects::{Effect, Effects};
-use crate::frame::{self, Region, Row, Settings};
-use crate::objects::{named, planes, real, spheres, vector};
+use crate::render::description::{self as scene, Aperture, Scene};
+use crate::render::effects::{Effect, Effects};
+use crate::render::frame::{self, Region, Row, Settings};
+use crate::render::objects::{named, planes, real, spheres, vector};
+use crate::render::values::Exponent;
 use crate::tracer::{
     Ambient, Camera, Counts, Draw, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer,
     Sky, Unoccluded,
 };
-use crate::values::Exponent;
-#[cfg(feature = "micromath")]
 use hemidisc::MicromathF32;
 use hemidisc::arithmetic::{Arithmetic, Root};
 use hemidisc::effect::{
@@ -20,20 +19,21 @@ use hemidisc::effect::{
 use hemidisc::{Concentric, FastF32, Frame, LibmF32, LibmF64};
 
 /// Renders a region of a scene with some of its effects, a step after each pass; or says which field is wrong.
-pub(crate) type Render =
+pub type Render =
     fn(&Scene, Effects, &Settings, &Region, &mut dyn FnMut()) -> Result<frame::Frame, String>;
 
 /// The arithmetics that have a square root, by name.
-pub(crate) const ARITHMETICS: &[(&str, Render)] = &[
+///
+/// `static`, so that the renderers are compiled with this library and not with each program.
+pub static ARITHMETICS: &[(&str, Render)] = &[
     (LibmF64::NAME, render::<LibmF64>),
     (LibmF32::NAME, render::<LibmF32>),
     (FastF32::NAME, render::<FastF32>),
-    #[cfg(feature = "micromath")]
     (MicromathF32::NAME, render::<MicromathF32>),
 ];
 
 /// The function that renders in the arithmetic of a name.
-pub(crate) fn renderer_of(arithmetic: &str) -> Option<Render> {
+pub fn renderer_of(arithmetic: &str) -> Option<Render> {
     let known = ARITHMETICS.iter().find(|(name, _)| *name == arithmetic);
     known.map(|(_, render)| *render)
 }
@@ -52,7 +52,7 @@ fn render<A: Root>(
 }
 
 /// Calls `run` with the rows of a scene and some of its effects.
-pub(crate) fn with_rows<A: Root>(
+pub fn with_rows<A: Root>(
     scene: &Scene,
     effects: Effects,
     settings: &Settings,

@@ -3,45 +3,45 @@
 //! An effect is called for by its field: `lens`, the light's `radius`, the ambient light's `reach`, a reflection's
 //! `exponent`. Without it what is left is a pinhole, a light at a point, plain ambient light, a mirror.
 
-use crate::effects::{Effect, Effects};
-use crate::values::{Angle, Colour, Direction, Distance, Exponent, Point, Radius, Size};
+use crate::render::effects::{Effect, Effects};
+use crate::render::values::{Angle, Colour, Direction, Distance, Exponent, Point, Radius, Size};
 use serde::Deserialize;
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Scene {
-    pub(crate) camera: Camera,
-    pub(crate) lens: Option<Lens>,
-    pub(crate) light: Light,
-    pub(crate) ambient: Ambient,
-    pub(crate) sky: Sky,
+pub struct Scene {
+    pub camera: Camera,
+    pub lens: Option<Lens>,
+    pub light: Light,
+    pub ambient: Ambient,
+    pub sky: Sky,
     #[serde(default)]
-    pub(crate) spheres: Vec<Sphere>,
+    pub spheres: Vec<Sphere>,
     #[serde(default)]
-    pub(crate) planes: Vec<Plane>,
+    pub planes: Vec<Plane>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Camera {
-    pub(crate) position: Point,
-    pub(crate) ahead: Direction,
+pub struct Camera {
+    pub position: Point,
+    pub ahead: Direction,
     /// From the bottom of the image to its top, in degrees.
-    pub(crate) field_of_view: Angle,
+    pub field_of_view: Angle,
 }
 
 /// Depth of field.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Lens {
-    pub(crate) radius: Radius,
-    pub(crate) focus: Distance,
+pub struct Lens {
+    pub radius: Radius,
+    pub focus: Distance,
     #[serde(default)]
-    pub(crate) aperture: Aperture,
+    pub aperture: Aperture,
 }
 
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
-pub(crate) enum Aperture {
+pub enum Aperture {
     #[default]
     Round,
     Hexagon,
@@ -49,77 +49,77 @@ pub(crate) enum Aperture {
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Light {
-    pub(crate) position: Point,
+pub struct Light {
+    pub position: Point,
     /// Its axis.
-    pub(crate) toward: Direction,
+    pub toward: Direction,
     /// Along the axis.
-    pub(crate) intensity: Colour,
+    pub intensity: Colour,
     #[serde(default)]
-    pub(crate) two_sided: bool,
+    pub two_sided: bool,
     /// Of a disc: soft shadows.
-    pub(crate) radius: Option<Radius>,
+    pub radius: Option<Radius>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Ambient {
-    pub(crate) colour: Colour,
+pub struct Ambient {
+    pub colour: Colour,
     /// How far occlusion looks.
-    pub(crate) reach: Option<Distance>,
+    pub reach: Option<Distance>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Sky {
-    pub(crate) horizon: Colour,
-    pub(crate) zenith: Colour,
+pub struct Sky {
+    pub horizon: Colour,
+    pub zenith: Colour,
 }
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Sphere {
-    pub(crate) centre: Point,
-    pub(crate) radius: Size,
-    pub(crate) material: Material,
+pub struct Sphere {
+    pub centre: Point,
+    pub radius: Size,
+    pub material: Material,
 }
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Plane {
-    pub(crate) point: Point,
-    pub(crate) normal: Direction,
-    pub(crate) material: Material,
-    pub(crate) checker: Option<Checker>,
+pub struct Plane {
+    pub point: Point,
+    pub normal: Direction,
+    pub material: Material,
+    pub checker: Option<Checker>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Checker {
-    pub(crate) albedo: Colour,
-    pub(crate) size: Size,
+pub struct Checker {
+    pub albedo: Colour,
+    pub size: Size,
 }
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Material {
-    pub(crate) albedo: Colour,
+pub struct Material {
+    pub albedo: Colour,
     #[serde(default)]
-    pub(crate) emission: Colour,
-    pub(crate) reflection: Option<Reflection>,
+    pub emission: Colour,
+    pub reflection: Option<Reflection>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Reflection {
-    pub(crate) reflectance: Colour,
+pub struct Reflection {
+    pub reflectance: Colour,
     /// Of a glossy lobe; a mirror has none.
-    pub(crate) exponent: Option<Exponent>,
+    pub exponent: Option<Exponent>,
 }
 
 impl Scene {
     /// The effects that it calls for.
-    pub(crate) fn effects(&self) -> Effects {
+    pub fn effects(&self) -> Effects {
         let materials = self.spheres.iter().map(|sphere| &sphere.material);
         let mut materials = materials.chain(self.planes.iter().map(|plane| &plane.material));
         let glossy = materials

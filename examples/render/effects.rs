@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use std::str::FromStr;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Effect {
+pub enum Effect {
     Lens,
     Light,
     Occlusion,
@@ -12,9 +12,9 @@ pub(crate) enum Effect {
 }
 
 impl Effect {
-    pub(crate) const ALL: [Self; 4] = [Self::Lens, Self::Light, Self::Occlusion, Self::Glossy];
+    pub const ALL: [Self; 4] = [Self::Lens, Self::Light, Self::Occlusion, Self::Glossy];
 
-    pub(crate) const fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Lens => "lens",
             Self::Light => "light",
@@ -27,31 +27,31 @@ impl Effect {
 /// A set of effects; its text is that of the command line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
-pub(crate) struct Effects {
+pub struct Effects {
     bits: u8,
 }
 
 impl Effects {
-    pub(crate) const NONE: Self = Self { bits: 0 };
+    pub const NONE: Self = Self { bits: 0 };
 
-    pub(crate) const fn has(self, effect: Effect) -> bool {
+    pub const fn has(self, effect: Effect) -> bool {
         self.bits >> effect as u8 & 1 == 1
     }
 
-    pub(crate) const fn with(self, effect: Effect) -> Self {
+    pub const fn with(self, effect: Effect) -> Self {
         Self { bits: self.bits | 1 << effect as u8 }
     }
 
-    pub(crate) const fn without(self, effect: Effect) -> Self {
+    pub const fn without(self, effect: Effect) -> Self {
         Self { bits: self.bits & !(1 << effect as u8) }
     }
 
-    pub(crate) fn each(self) -> impl Iterator<Item = Effect> {
+    pub fn each(self) -> impl Iterator<Item = Effect> {
         Effect::ALL.into_iter().filter(move |effect| self.has(*effect))
     }
 
     /// What the command line accepts of a scene with these effects.
-    pub(crate) fn accepted(self) -> String {
+    pub fn accepted(self) -> String {
         let names: Vec<_> = self.each().map(Effect::name).collect();
         match names.len() {
             0 => "none".to_owned(),

@@ -1,7 +1,7 @@
 //! Reads a scene from its file. An error names the file, the line and the field.
 
 use crate::Failure;
-use crate::description::Scene;
+use crate::render::description::Scene;
 use ron::extensions::Extensions;
 use ron::{Deserializer, Options};
 use std::fs;
@@ -9,11 +9,11 @@ use std::path::{Path, PathBuf};
 
 /// Where scenes are that are given by a name.
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join("scenes")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")
 }
 
 /// The names of the scenes that come with the renderer.
-pub(crate) fn names() -> Vec<String> {
+pub fn names() -> Vec<String> {
     let files = fs::read_dir(folder()).into_iter().flatten().flatten().map(|entry| entry.path());
     let scenes = files.filter(|path| path.extension().is_some_and(|end| end == "ron"));
     let mut names: Vec<_> =
@@ -23,7 +23,7 @@ pub(crate) fn names() -> Vec<String> {
 }
 
 /// The file of a scene's name, or of a path that ends in `.ron`; and its text.
-pub(crate) fn text(name: &str) -> Result<(PathBuf, String), Failure> {
+pub fn text(name: &str) -> Result<(PathBuf, String), Failure> {
     let own = names().iter().any(|known| known == name);
     let path = if own { folder().join(name).with_extension("ron") } else { PathBuf::from(name) };
     let refused = |wrong: &str| {
@@ -42,12 +42,12 @@ pub(crate) fn text(name: &str) -> Result<(PathBuf, String), Failure> {
 }
 
 /// The scene of a file's text.
-pub(crate) fn scene(path: &Path, text: &str) -> Result<Scene, Failure> {
+pub fn scene(path: &Path, text: &str) -> Result<Scene, Failure> {
     parsed(text).map_err(|wrong| Failure::Usage(format!("--scene: {}:{wrong}", path.display())))
 }
 
 /// The scene of a text, or the line and column, field and what is wrong.
-pub(crate) fn parsed(text: &str) -> Result<Scene, String> {
+pub fn parsed(text: &str) -> Result<Scene, String> {
     let options = Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
     let at = |error: ron::error::SpannedError, field: &str| {
         let one_line = error.code.to_string().replace('\n', " ");

@@ -3,8 +3,8 @@
 //! A pass is a few samples of a pixel, taken in order; passes add up to the same bits in any order (`sums`). So the
 //! picture is the same for any number of threads, and for any regions that make up the frame.
 
-use crate::sequence::Sequence;
-use crate::sums::{MOST_PASSES, Sum};
+use crate::render::sequence::Sequence;
+use crate::render::sums::{MOST_PASSES, Sum};
 use crate::tracer::Counts;
 use hemidisc::arithmetic::Real;
 use rayon::prelude::*;
@@ -18,40 +18,40 @@ const _: () = assert!((u16::MAX as u32).div_ceil(PASS) <= MOST_PASSES);
 
 /// What is to be rendered of a scene.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Settings {
-    pub(crate) size: [u32; 2],
+pub struct Settings {
+    pub size: [u32; 2],
     /// For each pixel.
-    pub(crate) samples: u16,
-    pub(crate) sequence: Sequence,
-    pub(crate) seed: u32,
+    pub samples: u16,
+    pub sequence: Sequence,
+    pub seed: u32,
 }
 
 /// Some rows of a frame, and some of the passes over them.
 #[derive(Clone, Debug)]
-pub(crate) struct Region {
-    pub(crate) rows: Range<u32>,
-    pub(crate) passes: Range<u32>,
+pub struct Region {
+    pub rows: Range<u32>,
+    pub passes: Range<u32>,
 }
 
 impl Settings {
     /// How often each pixel is visited.
-    pub(crate) fn passes(&self) -> u32 {
+    pub fn passes(&self) -> u32 {
         u32::from(self.samples).div_ceil(PASS)
     }
 
     /// All of the frame.
-    pub(crate) fn whole(&self) -> Region {
+    pub fn whole(&self) -> Region {
         Region { rows: 0..self.size[1], passes: 0..self.passes() }
     }
 }
 
 /// A frame, or a region of it.
 #[derive(Debug)]
-pub(crate) struct Frame {
+pub struct Frame {
     /// Of radiance, by rows from the top.
-    pub(crate) sums: Vec<Sum>,
-    pub(crate) counts: Counts,
-    pub(crate) seconds: f64,
+    pub sums: Vec<Sum>,
+    pub counts: Counts,
+    pub seconds: f64,
 }
 
 /// Adds a range of samples to the sums of the pixels from (x, y) to the right: [`Renderer::row`] of any type.
@@ -59,10 +59,10 @@ pub(crate) struct Frame {
 /// Behind a pointer, so that what runs rows on all cores is compiled once and not for every renderer.
 ///
 /// [`Renderer::row`]: crate::tracer::Renderer::row
-pub(crate) type Row<'a, R> = dyn Fn([u32; 2], Range<u32>, &mut [[R; 3]]) -> Counts + Sync + 'a;
+pub type Row<'a, R> = dyn Fn([u32; 2], Range<u32>, &mut [[R; 3]]) -> Counts + Sync + 'a;
 
 /// The sums of a region; `step` is called after each pass.
-pub(crate) fn render<R: Real>(
+pub fn render<R: Real>(
     row: &Row<'_, R>,
     settings: &Settings,
     region: &Region,

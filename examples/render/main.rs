@@ -5,50 +5,24 @@
 //! cargo run --release --example render -- --scene lens --effects none --report json
 //! ```
 //!
-//! `tracer` is the renderer, which the firmware shares; the rest is the host's: `arguments` reads the command
-//! line, `request` what settles the picture, `description` is a scene as its file has it, of checked `values`, and
-//! `file` reads it. `assembly` makes a renderer of the scene's `objects` and the effects called for, `frame` renders
-//! its rows on all cores into `sums`, `picture` makes a PNG of them for the `output`, and `report` says what each
-//! effect took. The example `shard` shares all but the report.
+//! `arguments` reads the command line, `report` says what each effect took, and `sheet` makes the pictures of the
+//! README. The rest is the library's `render`, which the example `shard` shares.
 
 mod arguments;
-mod assembly;
-mod description;
-mod effects;
-mod file;
-mod frame;
-mod objects;
-#[expect(dead_code, reason = "shards have their parts beside it")]
-mod output;
-mod picture;
-#[path = "../gallery/progress.rs"]
-mod progress;
-#[path = "../points/refusal.rs"]
-mod refusal;
 mod report;
-mod request;
-mod sequence;
 mod sheet;
-mod sums;
 #[cfg(test)]
 mod tests;
-mod tracer;
-mod values;
 
 use arguments::Arguments;
 use clap::Parser;
-use effects::Effects;
-use output::{Output, say};
-use progress::Progress;
+use examples::Failure;
+use examples::progress::Progress;
+use examples::render::effects::Effects;
+use examples::render::output::{Output, say};
+use examples::render::{file, picture, sums};
 use std::io::{self, Write};
 use std::process::ExitCode;
-
-/// Why there is no picture.
-enum Failure {
-    /// Names the argument or the field, what was wrong and what is accepted.
-    Usage(String),
-    Output(String, io::Error),
-}
 
 fn main() -> ExitCode {
     let given = std::env::args_os().map(|argument| argument.to_string_lossy().into_owned());
@@ -61,11 +35,8 @@ fn main() -> ExitCode {
         parsed(&given, arguments::one_line)
             .and_then(|arguments| arguments.map_or(Ok(()), |arguments| run(&arguments)))
     };
-    let (status, message) = match result {
-        Ok(()) => return ExitCode::SUCCESS,
-        Err(Failure::Usage(message)) => (2, message),
-        Err(Failure::Output(path, error)) => (1, format!("cannot write {path}: {error}")),
-    };
+    let Err(failure) = result else { return ExitCode::SUCCESS };
+    let (status, message) = failure.told();
     // There is nowhere to say that this could not be written.
     let _ = writeln!(io::stderr(), "error: {message}");
     ExitCode::from(status)

@@ -1,12 +1,12 @@
 //! Spheres, planes and what they are made of, in the numbers of an arithmetic.
 
-use crate::description::{self as scene, Scene};
+use crate::render::description::{self as scene, Scene};
+use crate::render::values::Exponent;
 use crate::tracer::{Checker, Finish, Material, Plane, Sphere};
-use crate::values::Exponent;
 use hemidisc::Frame;
 use hemidisc::arithmetic::{Arithmetic, Root};
 
-pub(crate) fn spheres<A: Root, G>(
+pub fn spheres<A: Root, G>(
     scene: &Scene,
     lobe: &impl Fn(Exponent) -> Result<G, String>,
 ) -> Result<Vec<Sphere<A, G>>, String> {
@@ -19,7 +19,7 @@ pub(crate) fn spheres<A: Root, G>(
     scene.spheres.iter().enumerate().map(sphere).collect()
 }
 
-pub(crate) fn planes<A: Root, G>(
+pub fn planes<A: Root, G>(
     scene: &Scene,
     lobe: &impl Fn(Exponent) -> Result<G, String>,
 ) -> Result<Vec<Plane<A, G>>, String> {
@@ -56,15 +56,15 @@ fn material<A: Root, G>(
 }
 
 /// What a field's number, good in f64, is in the arithmetic.
-pub(crate) fn named<A: Arithmetic>(field: &str, error: hemidisc::Error) -> String {
+pub fn named<A: Arithmetic>(field: &str, error: hemidisc::Error) -> String {
     format!("{field} in {}: {error}", A::NAME)
 }
 
-pub(crate) fn vector<A: Root>(numbers: [f64; 3]) -> [A::Real; 3] {
+pub fn vector<A: Root>(numbers: [f64; 3]) -> [A::Real; 3] {
     numbers.map(real::<A>)
 }
 
 /// The number nearest to the one in the scene's text; that of every f64 is a number.
-pub(crate) fn real<A: Root>(number: f64) -> A::Real {
+pub fn real<A: Root>(number: f64) -> A::Real {
     number.to_string().parse().unwrap_or_default()
 }

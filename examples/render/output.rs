@@ -9,7 +9,7 @@ use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
-pub(crate) struct Output {
+pub struct Output {
     name: String,
     path: PathBuf,
     file: BufWriter<Target>,
@@ -22,7 +22,7 @@ enum Target {
 
 impl Output {
     /// Makes the file, and its folder if it is not there.
-    pub(crate) fn create(path: &Path) -> Result<Self, Failure> {
+    pub fn create(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
         // Of a link what it leads to is replaced, and not the link.
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
@@ -33,7 +33,7 @@ impl Output {
     }
 
     /// A folder with as much room as there is for the file.
-    pub(crate) fn folder(&self) -> PathBuf {
+    pub fn folder(&self) -> PathBuf {
         match self.file.get_ref() {
             Target::Renamed(file) => file.path().parent().map(Path::to_owned).unwrap_or_default(),
             Target::Direct(_) => std::env::temp_dir(),
@@ -41,7 +41,7 @@ impl Output {
     }
 
     /// Fills the file by a function, gives it its name and returns that.
-    pub(crate) fn write(
+    pub fn write(
         mut self,
         fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> Result<String, Failure> {
@@ -95,7 +95,7 @@ impl Write for Target {
 }
 
 /// Prints a text; a reader that has seen enough of it (`| head`) is no error.
-pub(crate) fn say(text: &str) -> Result<(), Failure> {
+pub fn say(text: &str) -> Result<(), Failure> {
     match io::stdout().write_all(text.as_bytes()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(Failure::Output("standard output".into(), error))

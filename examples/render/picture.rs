@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 /// Clamped, with sRGB's curve, rounded.
-pub(crate) fn bytes(pixels: &[[f64; 3]]) -> Vec<u8> {
+pub fn bytes(pixels: &[[f64; 3]]) -> Vec<u8> {
     let byte = |linear: &f64| {
         let linear = linear.clamp(0.0, 1.0);
         let curved = if linear <= 0.003_130_8 {
@@ -18,11 +18,7 @@ pub(crate) fn bytes(pixels: &[[f64; 3]]) -> Vec<u8> {
 }
 
 /// Writes the file.
-pub(crate) fn png(
-    out: &mut dyn Write,
-    [width, height]: [u32; 2],
-    pixels: &[[f64; 3]],
-) -> io::Result<()> {
+pub fn png(out: &mut dyn Write, [width, height]: [u32; 2], pixels: &[[f64; 3]]) -> io::Result<()> {
     let mut encoder = png::Encoder::new(out, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);

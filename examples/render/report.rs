@@ -5,10 +5,10 @@
 //! effect that is not called for they are 0. Its rays are those that its points directed: without a lens, a disc or a
 //! lobe a pinhole, a point light or a mirror sends as many, which count for no effect.
 
-use crate::Failure;
-use crate::effects::{Effect, Effects};
-use crate::frame::Frame;
-use crate::tracer::{Counts, Tally};
+use examples::Failure;
+use examples::render::effects::{Effect, Effects};
+use examples::render::frame::Frame;
+use examples::tracer::{Counts, Tally};
 
 /// The report on a frame; `render` renders others, to compare with.
 pub(crate) fn json(

@@ -1,11 +1,11 @@
 //! What is asked for of a scene: the arguments that settle a picture's bits, and what they accept.
 
 use crate::Failure;
-use crate::assembly::{ARITHMETICS, Render, renderer_of};
-use crate::effects::Effects;
-use crate::file;
-use crate::frame::Settings;
-use crate::sequence::Sequence;
+use crate::render::assembly::{ARITHMETICS, Render, renderer_of};
+use crate::render::effects::Effects;
+use crate::render::file;
+use crate::render::frame::Settings;
+use crate::render::sequence::Sequence;
 use clap::Args;
 use serde::{Deserialize, Serialize};
 use std::num::NonZeroU16;
@@ -14,42 +14,42 @@ use std::str::FromStr;
 // No doc comment: the parser would show it in place of the program's.
 #[derive(Args, Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Request {
+pub struct Request {
     /// A scene's name, or the path of a .ron file
     #[arg(long, value_name = "NAME")]
-    pub(crate) scene: String,
+    pub scene: String,
 
     /// Some of lens, light, occlusion, glossy with commas between, or none [default: those of the scene]
     #[arg(long, value_name = "LIST", value_parser = Effects::from_str)]
-    pub(crate) effects: Option<Effects>,
+    pub effects: Option<Effects>,
 
     /// Samples for each pixel
     #[arg(long, value_name = "N", default_value = "64", value_parser = NonZeroU16::from_str)]
     #[arg(allow_negative_numbers = true)]
-    pub(crate) spp: NonZeroU16,
+    pub spp: NonZeroU16,
 
     /// Pixels in a row
     #[arg(long, value_name = "W", default_value = "480", value_parser = side)]
     #[arg(allow_negative_numbers = true)]
-    pub(crate) width: u16,
+    pub width: u16,
 
     /// Rows
     #[arg(long, value_name = "H", default_value = "320", value_parser = side)]
     #[arg(allow_negative_numbers = true)]
-    pub(crate) height: u16,
+    pub height: u16,
 
     /// Where points come from
     #[arg(long, value_name = "NAME", default_value = "sobol-owen", value_parser = Sequence::from_str)]
-    pub(crate) sequence: Sequence,
+    pub sequence: Sequence,
 
     /// Number type and its functions
     #[arg(long, value_name = "NAME", default_value = "libm-f32")]
-    pub(crate) arithmetic: String,
+    pub arithmetic: String,
 
     /// Of the noise
     #[arg(long, value_name = "S", default_value = "0", value_parser = u32::from_str)]
     #[arg(allow_negative_numbers = true)]
-    pub(crate) seed: u32,
+    pub seed: u32,
 }
 
 /// The longest side: a frame of sums of it by itself takes 1.6 GB.
@@ -64,7 +64,7 @@ fn side(text: &str) -> Result<u16, String> {
 }
 
 impl Request {
-    pub(crate) fn settings(&self) -> Settings {
+    pub fn settings(&self) -> Settings {
         Settings {
             size: [self.width.into(), self.height.into()],
             samples: self.spp.get(),
@@ -74,7 +74,7 @@ impl Request {
     }
 
     /// The effects called for, which have to be among those of the scene.
-    pub(crate) fn called_for(&self, of_scene: Effects) -> Result<Effects, Failure> {
+    pub fn called_for(&self, of_scene: Effects) -> Result<Effects, Failure> {
         let effects = self.effects.unwrap_or(of_scene);
         if let Some(missing) = effects.each().find(|effect| !of_scene.has(*effect)) {
             return Err(Failure::Usage(format!(
@@ -88,7 +88,7 @@ impl Request {
     }
 
     /// What renders in the arithmetic.
-    pub(crate) fn renderer(&self) -> Result<Render, Failure> {
+    pub fn renderer(&self) -> Result<Render, Failure> {
         renderer_of(&self.arithmetic).ok_or_else(|| {
             let name = &self.arithmetic;
             let wrong = if hemidisc::catalogue::ARITHMETICS.contains(&name.as_str()) {
@@ -103,7 +103,7 @@ impl Request {
 }
 
 /// What an argument accepts, if it is one of these.
-pub(crate) fn accepted(long: &str) -> Option<String> {
+pub fn accepted(long: &str) -> Option<String> {
     Some(match long {
         "scene" => format!("{}, or the path of a .ron file", file::names().join(", ")),
         "effects" => "some of lens,light,occlusion,glossy, with commas between; or none".to_owned(),

@@ -9,7 +9,7 @@ use std::str::FromStr;
 /// A sequence that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Sequence {
+pub enum Sequence {
     SobolOwen,
     Random,
     /// Of one set of all samples of a pixel.
@@ -17,21 +17,21 @@ pub(crate) enum Sequence {
 }
 
 impl Sequence {
-    pub(crate) const ALL: [(&str, Self); 3] = [
+    pub const ALL: [(&str, Self); 3] = [
         ("sobol-owen", Self::SobolOwen),
         ("random", Self::Random),
         ("multi-jittered", Self::MultiJittered),
     ];
 
     /// The points of a pixel of so many samples.
-    pub(crate) const fn points(self, samples: u32) -> Drawn {
+    pub const fn points(self, samples: u32) -> Drawn {
         Drawn { sequence: self, grid: hemidisc::catalogue::grid(samples) }
     }
 }
 
 /// The points of a sequence.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Drawn {
+pub struct Drawn {
     sequence: Sequence,
     grid: [u32; 2],
 }

@@ -1,15 +1,16 @@
 //! The contact sheet of the README: scenes without and with the effects they call for, the points drawn for these
 //! and the time that the picture took.
 
-use crate::assembly::renderer_of;
-use crate::effects::{Effect, Effects};
-use crate::frame::{Frame, Settings};
-use crate::output::Output;
-use crate::picture::png;
 use crate::report::tally;
-use crate::sequence::Sequence;
-use crate::{Failure, file, refusal, sums};
 use clap::{CommandFactory, Parser};
+use examples::render::assembly::renderer_of;
+use examples::render::effects::{Effect, Effects};
+use examples::render::frame::{Frame, Settings};
+use examples::render::output::Output;
+use examples::render::picture::png;
+use examples::render::sequence::Sequence;
+use examples::render::{file, sums};
+use examples::{Failure, refusal};
 use hemidisc::FastF32;
 use hemidisc::arithmetic::Arithmetic;
 use std::path::PathBuf;

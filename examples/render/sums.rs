@@ -12,7 +12,7 @@ use hemidisc::arithmetic::Real;
 use std::ops::AddAssign;
 
 /// Passes whose sum cannot overflow.
-pub(crate) const MOST_PASSES: u32 = 1 << 13;
+pub const MOST_PASSES: u32 = 1 << 13;
 
 const UNITS: f64 = (1_u64 << 32) as f64;
 const LIMIT: f64 = (1_u64 << 50) as f64;
@@ -22,11 +22,11 @@ const BEYOND: i64 = i64::MIN;
 
 /// Red, green and blue of a pixel, in units of 2^-32.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Sum(pub(crate) [i64; 3]);
+pub struct Sum(pub [i64; 3]);
 
 impl Sum {
     /// Of a pass in the numbers of an arithmetic; ties are rounded away from zero.
-    pub(crate) fn of_pass<R: Real>(pass: [R; 3]) -> Self {
+    pub fn of_pass<R: Real>(pass: [R; 3]) -> Self {
         Self(pass.map(|component| {
             let units = (component.into() * UNITS).round();
             // Not so for what is not a number.
@@ -45,7 +45,7 @@ impl AddAssign for Sum {
 }
 
 /// Mean radiance of pixels from their sums over a number of samples.
-pub(crate) fn means(sums: &[Sum], samples: u32) -> Vec<[f64; 3]> {
+pub fn means(sums: &[Sum], samples: u32) -> Vec<[f64; 3]> {
     let share = 1.0 / (UNITS * f64::from(samples));
     let mean = |sum: i64| if sum == BEYOND { f64::INFINITY } else { share * sum as f64 };
     sums.iter().map(|sum| sum.0.map(mean)).collect()

@@ -8,14 +8,13 @@ mod pictures;
 mod subsets;
 mod sums;
 
-use crate::assembly::{ARITHMETICS, with_rows};
-use crate::description::Scene;
-use crate::effects::{Effect, Effects};
-use crate::file;
-use crate::frame::{Frame, Row, Settings};
-use crate::sequence::Sequence;
-use crate::sums::means;
-#[cfg(feature = "micromath")]
+use examples::render::assembly::{ARITHMETICS, with_rows};
+use examples::render::description::Scene;
+use examples::render::effects::{Effect, Effects};
+use examples::render::file;
+use examples::render::frame::{Frame, Row, Settings};
+use examples::render::sequence::Sequence;
+use examples::render::sums::means;
 use hemidisc::MicromathF32;
 use hemidisc::arithmetic::{Arithmetic, Real, Root};
 use hemidisc::{FastF32, LibmF32, LibmF64};
@@ -34,7 +33,7 @@ fn subsets() -> impl Iterator<Item = Effects> {
 }
 
 fn rendered(arithmetic: &str, scene: &Scene, effects: Effects, settings: &Settings) -> Frame {
-    let render = crate::assembly::renderer_of(arithmetic).unwrap();
+    let render = examples::render::assembly::renderer_of(arithmetic).unwrap();
     render(scene, effects, settings, &settings.whole(), &mut || {}).unwrap()
 }
 
@@ -44,7 +43,6 @@ fn bits(arithmetic: &str, scene: &Scene, effects: Effects) -> Vec<u64> {
         LibmF64::NAME => bits_in::<LibmF64>(scene, effects),
         LibmF32::NAME => bits_in::<LibmF32>(scene, effects),
         FastF32::NAME => bits_in::<FastF32>(scene, effects),
-        #[cfg(feature = "micromath")]
         MicromathF32::NAME => bits_in::<MicromathF32>(scene, effects),
         _ => panic!("{arithmetic} is not in this list"),
     }

@@ -14,7 +14,7 @@ macro_rules! checked {
         #[$doc]
         #[derive(Clone, Copy, Debug, Deserialize)]
         #[serde(try_from = $text)]
-        pub(crate) struct $name(pub(crate) $of);
+        pub struct $name(pub $of);
 
         impl TryFrom<$of> for $name {
             type Error = String;

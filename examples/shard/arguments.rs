@@ -1,10 +1,10 @@
 //! The command line, which other programs rely on; and its errors, one line each.
 
 use crate::job::Split;
-use crate::refusal;
-use crate::request::{self, Request};
 use crate::set::{self, Set};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use examples::refusal;
+use examples::render::request::{self, Request};
 use std::num::{NonZeroU8, NonZeroU16};
 use std::path::PathBuf;
 use std::str::FromStr;

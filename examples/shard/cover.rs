@@ -6,7 +6,7 @@ use std::ops::Range;
 ///
 /// Those of `Points::shard`. There are empty ones where `of` exceeds `len`; and shard I of K is shards 2I and 2I + 1
 /// of 2K, so that one that took too long may be handed out again in halves.
-pub(crate) fn range(len: u32, shard: u16, of: u16) -> Range<u32> {
+pub fn range(len: u32, shard: u16, of: u16) -> Range<u32> {
     // At most `len`, for shard + 1 <= of.
     let edge = |k: u64| (u64::from(len) * k / u64::from(of)) as u32;
     edge(shard.into())..edge(u64::from(shard) + 1)
@@ -14,19 +14,19 @@ pub(crate) fn range(len: u32, shard: u16, of: u16) -> Range<u32> {
 
 /// What a part says of itself.
 #[derive(Clone, Debug)]
-pub(crate) struct Piece {
+pub struct Piece {
     /// Of its file.
-    pub(crate) name: String,
-    pub(crate) shard: u16,
-    pub(crate) shards: u16,
+    pub name: String,
+    pub shard: u16,
+    pub shards: u16,
     /// That of the shard.
-    pub(crate) range: Range<u32>,
+    pub range: Range<u32>,
 }
 
 /// The order in which pieces make up 0..`len` without a gap or an overlap; or which of them is at fault.
 ///
 /// `unit` is what is counted, in the plural.
-pub(crate) fn order(len: u32, unit: &str, pieces: &[Piece]) -> Result<Vec<usize>, String> {
+pub fn order(len: u32, unit: &str, pieces: &[Piece]) -> Result<Vec<usize>, String> {
     let mut order: Vec<_> = (0..pieces.len()).collect();
     order.sort_by_key(|index| {
         let Piece { shard, shards, range, .. } = &pieces[*index];

@@ -1,11 +1,11 @@
 //! What is computed: all that settles its bytes, as a part says it.
 
-use crate::frame::{Region, Settings};
 use crate::point_set::Layout;
-use crate::request::Request;
 use crate::set::Set;
-use crate::sums::Sum;
 use clap::ValueEnum;
+use examples::render::frame::{Region, Settings};
+use examples::render::request::Request;
+use examples::render::sums::Sum;
 use serde::{Deserialize, Serialize};
 use std::io::{self, Write};
 use std::ops::Range;

@@ -9,79 +9,26 @@
 //! `arguments` reads the command line. A `job` is what is computed: the `set` of points asked for, which `point_set`
 //! makes and `number` writes, or a `rendering` of the scene asked for. `cover` says which range of it a shard has, and
 //! whether ranges make up the whole. `part` is the file of a shard, `run` computes one or all of them and `merge` puts
-//! them together. What makes a frame is that of the example `render`, whose picture has the same bytes.
+//! them together. What makes a frame is the library's `render`, so that the picture has the bytes of that example's.
 
 mod arguments;
-#[path = "../render/assembly.rs"]
-mod assembly;
-mod cover;
-#[path = "../render/description.rs"]
-mod description;
-#[path = "../render/effects.rs"]
-#[expect(dead_code, reason = "the report renders without each effect")]
-mod effects;
-#[path = "../render/file.rs"]
-mod file;
-#[path = "../render/frame.rs"]
-#[expect(dead_code, reason = "the report has counts and seconds")]
-mod frame;
 mod job;
 mod merge;
 mod number;
-#[path = "../render/objects.rs"]
-mod objects;
-#[path = "../render/output.rs"]
-mod output;
 mod part;
-#[path = "../render/picture.rs"]
-mod picture;
 mod point_set;
-#[path = "../gallery/progress.rs"]
-mod progress;
-#[path = "../points/refusal.rs"]
-mod refusal;
 mod rendering;
-#[path = "../render/request.rs"]
-mod request;
 mod run;
-#[path = "../render/sequence.rs"]
-mod sequence;
 mod set;
-#[path = "../render/sums.rs"]
-mod sums;
-#[path = "../render/tracer/mod.rs"]
-#[expect(unused_imports, reason = "the report has tallies")]
-mod tracer;
-#[path = "../render/values.rs"]
-mod values;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
-use output::{Output, say};
+use examples::Failure;
+use examples::render::output::{Output, say};
 use point_set::PointSet;
 use rendering::Rendering;
 use std::io::{self, Write};
 use std::process::ExitCode;
-
-/// Why there is no result.
-enum Failure {
-    /// Names the argument, the field or the part, what was wrong and what is accepted.
-    Usage(String),
-    Output(String, io::Error),
-    /// Names the shard.
-    Shard(String),
-}
-
-impl Failure {
-    /// The exit status and one line.
-    fn told(self) -> (u8, String) {
-        match self {
-            Self::Usage(message) => (2, message),
-            Self::Output(path, error) => (1, format!("cannot write {path}: {error}")),
-            Self::Shard(message) => (1, message),
-        }
-    }
-}
 
 fn main() -> ExitCode {
     let given = std::env::args_os().map(|argument| argument.to_string_lossy().into_owned());

@@ -1,14 +1,14 @@
 //! Puts parts together: points one range after another, frames pixel by pixel.
 
-use crate::Failure;
-use crate::cover;
 use crate::job::{Job, Split};
-use crate::output::Output;
 use crate::part::Part;
-use crate::picture;
 use crate::rendering;
-use crate::request::Request;
-use crate::sums::{self, Sum};
+use examples::Failure;
+use examples::render::output::Output;
+use examples::render::picture;
+use examples::render::request::Request;
+use examples::render::sums::{self, Sum};
+use examples::shard::cover;
 use std::io::{self, Write};
 use std::path::PathBuf;
 

@@ -26,7 +26,6 @@ numbers! {
     f32, "f32", f32::to_bits;
     f64, "f64", f64::to_bits;
 }
-#[cfg(feature = "fixed-point")]
 numbers! {
     hemidisc::Q31, "i32", hemidisc::Q31::to_bits;
     hemidisc::Q15, "i16", hemidisc::Q15::to_bits;
@@ -43,13 +42,7 @@ pub(crate) fn encoding<R: 'static>() -> Option<Encoding<R>> {
     fn of<N: Number>() -> Encoding<N> {
         (N::NAME, N::put)
     }
-    let encodings: &[&dyn Any] = &[
-        &of::<f32>(),
-        &of::<f64>(),
-        #[cfg(feature = "fixed-point")]
-        &of::<hemidisc::Q31>(),
-        #[cfg(feature = "fixed-point")]
-        &of::<hemidisc::Q15>(),
-    ];
+    let encodings: &[&dyn Any] =
+        &[&of::<f32>(), &of::<f64>(), &of::<hemidisc::Q31>(), &of::<hemidisc::Q15>()];
     encodings.iter().find_map(|encoding| encoding.downcast_ref()).copied()
 }

@@ -3,10 +3,10 @@
 //! One line of text says what it is: the format, and a RON value with the program, the job, which shard of how many
 //! it is, which range of the job that is, and how many bytes follow. Those are the shard's, little-endian.
 
-use crate::Failure;
-use crate::cover::{self, Piece};
 use crate::job::{Job, Work};
-use crate::output::Output;
+use examples::Failure;
+use examples::render::output::Output;
+use examples::shard::cover::{self, Piece};
 use ron::ser::PrettyConfig;
 use serde::{Deserialize, Serialize};
 use std::fs::File;

@@ -3,10 +3,10 @@
 //! Sequences meet maps behind trait objects, a block of coordinates at a time, so the program holds
 //! sequences + maps x arithmetics loops, not the product of all three.
 
-use crate::Failure;
 use crate::job::{Job, Work};
 use crate::number::{Encoding, encoding};
 use crate::set::{EXPONENT, SQUARE, Set};
+use examples::Failure;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{
     ArithmeticVisitor, MapVisitor, SequenceVisitor, arithmetics, maps, power_maps, sequences,

@@ -1,14 +1,15 @@
 //! A frame of a scene as bytes: of each pixel the sums of red, green and blue, i64, little-endian.
 
-use crate::Failure;
-use crate::assembly::Render;
-use crate::description::Scene;
-use crate::effects::Effects;
-use crate::file;
-use crate::frame::{Region, Settings};
 use crate::job::{Job, Split, Work};
-use crate::request::Request;
-use crate::{cover, sums::Sum};
+use examples::Failure;
+use examples::render::assembly::Render;
+use examples::render::description::Scene;
+use examples::render::effects::Effects;
+use examples::render::file;
+use examples::render::frame::{Region, Settings};
+use examples::render::request::Request;
+use examples::render::sums::Sum;
+use examples::shard::cover;
 use hemidisc::invariant::Digest;
 use std::io::{self, Read, Write};
 use std::path::Path;

@@ -1,11 +1,11 @@
 //! Computes one shard, or all of them by threads or processes and then the whole.
 
-use crate::Failure;
 use crate::arguments::{By, Shards, in_common};
 use crate::job::Work;
-use crate::output::Output;
-use crate::progress::Progress;
 use crate::{merge, part};
+use examples::Failure;
+use examples::progress::Progress;
+use examples::render::output::Output;
 use std::io;
 use std::num::NonZeroUsize;
 use std::path::Path;

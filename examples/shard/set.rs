@@ -2,9 +2,9 @@
 //!
 //! Names and defaults are those of the example `points`.
 
-use crate::Failure;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use examples::Failure;
 use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, SEQUENCES};
 use serde::{Deserialize, Serialize};
 use std::num::NonZeroU32;

@@ -82,7 +82,8 @@ fn failures(tree: &Path, fault: &Fault) -> BTreeSet<String> {
     let mut failed = BTreeSet::new();
     for file in files {
         let mut cargo = Command::new("cargo");
-        cargo.current_dir(tree).args(["test", "--all-features", "--no-fail-fast"]);
+        cargo.current_dir(tree).args(["test", "--package", "hemidisc"]);
+        cargo.args(["--all-features", "--no-fail-fast"]);
         if file == "lib" {
             cargo.arg("--lib")
         } else {

@@ -18,7 +18,9 @@ pub fn program(name: &str) -> PathBuf {
     let mut built = BUILT.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     if !built.contains(name) {
         let mut cargo = Command::new(env!("CARGO"));
-        cargo.current_dir(env!("CARGO_MANIFEST_DIR")).args(["build", "--quiet", "--all-features"]);
+        // From the root, so that all packages have the features that `cargo test` gives them.
+        cargo.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        cargo.args(["build", "--quiet", "--all-features"]);
         let release = profile.ends_with("release");
         cargo.args(["--profile", if release { "release" } else { "test" }, "--example", name]);
         cargo.arg("--target-dir").arg(profile.parent().expect("target"));

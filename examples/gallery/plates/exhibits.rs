@@ -3,10 +3,12 @@
 //! They are here and not in the crate: a radius that is uniform, and the lecture's polar "mapping",
 //! which converts to polar coordinates and back again.
 
-use crate::canvas::{Align, BLUE, Drawn, Frame, INK, NOTE, Panel, Sheet, VERMILION, plate};
 use crate::grid::{Image, centred, polar};
 use crate::panels::{about_the_disc, ground, misplaced, radius};
 use crate::sets::Set;
+use examples::gallery::canvas::{
+    Align, BLUE, Drawn, Frame, INK, NOTE, Panel, Sheet, VERMILION, plate,
+};
 use hemidisc::Square;
 use std::error::Error;
 

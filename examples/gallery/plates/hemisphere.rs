@@ -1,10 +1,10 @@
 //! The hemisphere: 256 directions for each exponent, over both disc maps, from above and the side.
 
 use super::title;
-use crate::canvas::{Align, Drawn, NOTE, Sheet, plate};
 use crate::dome::{SIDE, TOP};
 use crate::sets::{EXPONENTS, OnHemisphere, Set};
 use crate::statistics::minimum_angle;
+use examples::gallery::canvas::{Align, Drawn, NOTE, Sheet, plate};
 use hemidisc::{LibmF64, Map, Power};
 use std::error::Error;
 

@@ -2,10 +2,10 @@
 //! beside them where 256 directions of each really went.
 
 use super::hemisphere::{median_angle, name};
-use crate::canvas::{
+use crate::sets::{EXPONENTS, Set};
+use examples::gallery::canvas::{
     Align, BLUE, Drawn, Frame, GREEN, GREY, INK, NOTE, PURPLE, Sheet, VERMILION, plate,
 };
-use crate::sets::{EXPONENTS, Set};
 use plotters::prelude::RGBColor;
 use std::error::Error;
 

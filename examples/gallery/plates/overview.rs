@@ -2,12 +2,12 @@
 
 use super::hemisphere::{half_angle, name};
 use super::title;
-use crate::canvas::{Align, Drawn, Frame, INK, NOTE, Sheet, plate};
 use crate::dome::SIDE;
 use crate::grid::{self, Image};
 use crate::panels::{about_the_disc, axes, border, ground, points};
 use crate::sets::Set;
 use crate::statistics::minimum_distance;
+use examples::gallery::canvas::{Align, Drawn, Frame, INK, NOTE, Sheet, plate};
 use hemidisc::{LibmF64, Map, Power};
 use std::error::Error;
 

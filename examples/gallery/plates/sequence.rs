@@ -1,13 +1,13 @@
 //! A plate for each sequence: the square and its images side by side, with 64 and with 256 points.
 
 use super::title;
-use crate::canvas::{Align, Drawn, Frame, INK, NOTE, Sheet, plate};
 use crate::grid::{self, Image};
 use crate::panels::{
     about_the_disc, axes, border, clipped_ground, ground, points, radius, rejected,
 };
 use crate::sets::{OnDisc, Set};
 use crate::statistics::minimum_distance;
+use examples::gallery::canvas::{Align, Drawn, Frame, INK, NOTE, Sheet, plate};
 use std::error::Error;
 
 const SIDE: f64 = 276.0;

@@ -1,9 +1,9 @@
 //! Pictures whose pixels are known: what is lit, what is hidden, what is reflected and where it is seen.
 
 use super::{SMALL, pixels, rendered};
-use crate::description::Scene;
-use crate::file;
-use crate::frame::Settings;
+use examples::render::description::Scene;
+use examples::render::file;
+use examples::render::frame::Settings;
 use std::f64::consts::PI;
 
 /// One pixel of many samples.

@@ -2,9 +2,11 @@
 
 use super::{SMALL, rendered, scene};
 use crate::arguments::{Arguments, one_line};
-use crate::effects::Effects;
-use crate::{Failure, file, report, sheet};
+use crate::{report, sheet};
 use clap::Parser;
+use examples::Failure;
+use examples::render::effects::Effects;
+use examples::render::file;
 
 /// The one line that arguments are refused with.
 fn refusal(line: &str) -> String {

@@ -1,6 +1,6 @@
 //! Where the points of a sample come from.
 
-use crate::tracer::{Camera, Finish, Material, Plane, Points, Renderer, Sky, Sphere};
+use examples::tracer::{Camera, Finish, Material, Plane, Points, Renderer, Sky, Sphere};
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, ThinLens};
 use hemidisc::{Concentric, Domain, Frame, LibmF64};
 use std::cell::RefCell;

@@ -1,10 +1,10 @@
 //! How noise falls with the number of samples.
 
 use super::scene;
-use crate::assembly::with_rows;
-use crate::description::Scene;
-use crate::frame::Settings;
-use crate::sequence::Sequence;
+use examples::render::assembly::with_rows;
+use examples::render::description::Scene;
+use examples::render::frame::Settings;
+use examples::render::sequence::Sequence;
 use hemidisc::FastF32;
 
 const SIZE: [u32; 2] = [480, 320];
@@ -19,7 +19,7 @@ const SAMPLES: [u16; 4] = [4, 16, 64, 256];
 fn means(scene: &Scene, settings: &Settings) -> Vec<f64> {
     let mut means = Vec::new();
     let [width, height] = SIZE;
-    let mut run = |row: &crate::frame::Row<'_, f32>| {
+    let mut run = |row: &examples::render::frame::Row<'_, f32>| {
         for y in (0..height).step_by(STEP) {
             for x in (0..width).step_by(STEP) {
                 let mut sum = [[0.0; 3]];

@@ -1,14 +1,14 @@
 //! Pictures: the same for every split, finite for every scene, right where the answer is known.
 
 use super::{SMALL, each_arithmetic, pixels, rendered, scene, subsets};
-use crate::assembly::{renderer_of, with_rows};
-use crate::description::Scene;
-use crate::effects::Effects;
-use crate::file;
-use crate::frame::{Region, Row, Settings};
-use crate::sums::Sum;
-use crate::tracer::Counts;
-use crate::values::{Angle, Point};
+use examples::render::assembly::{renderer_of, with_rows};
+use examples::render::description::Scene;
+use examples::render::effects::Effects;
+use examples::render::file;
+use examples::render::frame::{Region, Row, Settings};
+use examples::render::sums::Sum;
+use examples::render::values::{Angle, Point};
+use examples::tracer::Counts;
 use hemidisc::LibmF32;
 
 /// Calls a function with the rows of the still life.

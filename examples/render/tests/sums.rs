@@ -1,6 +1,6 @@
 //! Sums in fixed point: exact units, rounding, order, and what is out of range.
 
-use crate::sums::{MOST_PASSES, Sum, means};
+use examples::render::sums::{MOST_PASSES, Sum, means};
 
 const UNIT: f64 = 1.0 / 4_294_967_296.0;
 const LIMIT: f64 = 262_144.0;

@@ -1,17 +1,14 @@
 //! Shards together are the whole, byte for byte: the example `shard`, run as its users run it.
-#![cfg(feature = "libm")]
 
 #[macro_use]
-#[path = "../arithmetics/mod.rs"]
+#[path = "../../../tests/arithmetics/mod.rs"]
 mod arithmetics;
-#[path = "../../examples/shard/cover.rs"]
-mod cover;
 mod dying;
 mod frames;
 mod page;
 mod parts;
 mod points;
-#[path = "../programs/mod.rs"]
+#[path = "../../../tests/programs/mod.rs"]
 mod programs;
 mod ranges;
 

@@ -5,13 +5,13 @@ use std::time::{Duration, Instant};
 
 const PATIENCE: Duration = Duration::from_secs(1);
 
-pub(crate) struct Progress {
+pub struct Progress {
     bar: ProgressBar,
     start: Instant,
 }
 
 impl Progress {
-    pub(crate) fn new(steps: usize) -> Self {
+    pub fn new(steps: usize) -> Self {
         let bar = ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::hidden());
         // The template is a constant, and a bar without it is still a bar.
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}") {
@@ -21,7 +21,7 @@ impl Progress {
     }
 
     /// One more step is done.
-    pub(crate) fn step(&mut self, what: &str) {
+    pub fn step(&mut self, what: &str) {
         if self.bar.is_hidden() && self.start.elapsed() > PATIENCE {
             // Stays hidden where standard error is not a terminal.
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
@@ -31,7 +31,7 @@ impl Progress {
     }
 
     /// Leaves the terminal as it was.
-    pub(crate) fn finish(self) {
+    pub fn finish(self) {
         self.bar.finish_and_clear();
     }
 }

@@ -23,7 +23,7 @@ fn broken_sets_of_parts_are_refused() {
     foreign("number", &format!("{SMALL} --arithmetic libm-f64"));
     foreign("split", &format!("{SMALL} --split samples"));
     foreign("points", "points --sequence r2 --count 5 --map square");
-    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes/plain.ron");
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/plain.ron");
     let scene = fs::read_to_string(scene).unwrap();
     fs::write(part("plain.ron"), &scene).unwrap();
     foreign("same-scene", &SMALL.replace("plain", "plain.ron"));

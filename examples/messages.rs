@@ -13,12 +13,12 @@ fn one_line(error: &clap::Error) -> String {
     format!("{}; accepted: --out DIR", first.trim_start_matches("error: "))
 }
 
-pub(crate) fn unwritable(path: &Path, error: &io::Error) -> String {
+pub fn unwritable(path: &Path, error: &io::Error) -> String {
     format!("cannot write {}: {error}", path.display())
 }
 
 /// Prints a text; a reader that has seen enough of it (`| head`) is no error.
-pub(crate) fn say(text: &str) -> io::Result<()> {
+pub fn say(text: &str) -> io::Result<()> {
     match writeln!(io::stdout(), "{text}") {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         result => result,
@@ -26,7 +26,7 @@ pub(crate) fn say(text: &str) -> io::Result<()> {
 }
 
 /// Reads the arguments and runs an example with them: the status, after one line on what is wrong.
-pub(crate) fn answer<A: Parser>(
+pub fn answer<A: Parser>(
     name: &str,
     run: impl FnOnce(A) -> Result<(), Box<dyn Error>>,
 ) -> ExitCode {

@@ -24,10 +24,11 @@ fn up(numerator: u64, denominator: u64) -> u32 {
 
 #[test]
 fn sobol_is_the_reference() {
-    let expected = vectors(include_str!("../vectors/sobol.csv")).map(|fields| match fields[..] {
-        [u, v] => format!("0x{u},0x{v}"),
-        _ => panic!("{fields:?}"),
-    });
+    let expected =
+        vectors(include_str!("../../../tests/vectors/sobol.csv")).map(|fields| match fields[..] {
+            [u, v] => format!("0x{u},0x{v}"),
+            _ => panic!("{fields:?}"),
+        });
     let expected: Vec<_> = expected.collect();
     assert_eq!(expected.len(), 1024);
     same(&square("--sequence sobol --count 1024"), expected, "sobol");
@@ -35,7 +36,7 @@ fn sobol_is_the_reference() {
 
 #[test]
 fn halton_is_the_reference() {
-    let expected = vectors(include_str!("../vectors/halton.csv")).map(|fields| {
+    let expected = vectors(include_str!("../../../tests/vectors/halton.csv")).map(|fields| {
         let numbers: Vec<u64> = fields.iter().map(|n| n.parse().expect("an integer")).collect();
         match numbers[..] {
             [u, of_u, v, of_v] => [up(u, of_u), up(v, of_v)],

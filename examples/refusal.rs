@@ -4,7 +4,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::error::Error;
 
 /// An error of the parser, which would take several lines, on one.
-pub(crate) fn one_line(
+pub fn one_line(
     error: &clap::Error,
     command: &clap::Command,
     accepted: &dyn Fn(&str) -> String,

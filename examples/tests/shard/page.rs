@@ -6,7 +6,7 @@ use std::process::Command;
 
 #[test]
 fn the_commands_of_the_page_run() {
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/growing.md");
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/growing.md");
     let page = std::fs::read_to_string(page).expect("a page");
     let blocks = page.split("\n```sh\n").skip(1);
     let blocks = blocks.map(|block| block.split("\n```").next().unwrap_or_default());

@@ -1,14 +1,12 @@
 //! The command line of the example `points`, which other programs rely on: run as they run it.
-//!
-#![cfg(feature = "libm")]
 
 mod arguments;
 #[macro_use]
-#[path = "../arithmetics/mod.rs"]
+#[path = "../../../tests/arithmetics/mod.rs"]
 mod arithmetics;
 mod coordinates;
 mod maps;
-#[path = "../programs/mod.rs"]
+#[path = "../../../tests/programs/mod.rs"]
 mod programs;
 
 use hemidisc::sequence::{Random, Sequence};

@@ -1,6 +1,6 @@
 //! Ranges of shards, and what makes up the whole.
 
-use super::cover::{Piece, order, range};
+use examples::shard::cover::{Piece, order, range};
 use hemidisc::sequence::{R2, Sequence};
 use hemidisc::{FastF32, Points, UnitSquare};
 

@@ -1,0 +1,13 @@
+//! What the examples share: each program is a folder beside this file.
+
+mod failure;
+pub mod gallery;
+pub mod messages;
+pub mod progress;
+pub mod refusal;
+pub mod render;
+pub mod shard;
+#[path = "render/tracer/mod.rs"]
+pub mod tracer;
+
+pub use failure::Failure;

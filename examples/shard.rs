@@ -1,0 +1,3 @@
+//! Which range a shard computes: the example `shard` and its tests share it.
+
+pub mod cover;
