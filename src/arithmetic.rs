@@ -25,7 +25,6 @@ use crate::sequence::{BLOCK, Block};
 use core::fmt::{Debug, Display};
 use core::str::FromStr;
 
-pub mod contract;
 mod fast_f32;
 #[cfg(feature = "fixed-point")]
 mod fixed;

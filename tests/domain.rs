@@ -5,22 +5,12 @@
 //! in full: every minor coordinate that the type can tell apart.
 #![cfg(feature = "libm")]
 
-#[macro_use]
-mod arithmetics;
-#[path = "accuracy/errors.rs"]
-#[expect(dead_code, reason = "the accuracy tests look for stale bounds too")]
-mod errors;
-#[path = "checks/promises.rs"]
-mod promises;
-#[path = "accuracy/reference.rs"]
-mod reference;
-
-use arithmetics::{Number, Tested, every_arithmetic};
 use hemidisc::arithmetic::Float;
 use hemidisc::invariant::{self, Exact, in_unit_disc};
 use hemidisc::{Concentric, Cosine, LibmF32, Map, Polar, Power, Uniform};
-use promises::{AtSample, Total};
 use proptest::prelude::*;
+use testkit::arithmetics::{Number, Tested, every_arithmetic};
+use testkit::promises::{AtSample, Total};
 
 /// Any bit pattern; the hard ones, near an edge, the centre or a power of two, as often as not.
 fn coordinate() -> impl Strategy<Value = u32> {
@@ -188,7 +178,7 @@ fn no_point_of_the_outer_rings_is_outside<A: Tested>() {
     assert_eq!(walked, total);
 }
 
-each_arithmetic!(tests no_point_of_the_outer_rings_is_outside);
+testkit::test_each_arithmetic!(no_point_of_the_outer_rings_is_outside);
 
 fn the_seam_and_the_rim_of_polar_are_on_the_disc<A: Tested>() {
     for v in (0..40_000).map(|i| u32::MAX - i * 7) {
@@ -201,4 +191,4 @@ fn the_seam_and_the_rim_of_polar_are_on_the_disc<A: Tested>() {
     }
 }
 
-each_arithmetic!(tests the_seam_and_the_rim_of_polar_are_on_the_disc);
+testkit::test_each_arithmetic!(the_seam_and_the_rim_of_polar_are_on_the_disc);

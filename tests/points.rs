@@ -2,9 +2,6 @@
 //! order, give what the same operations on a slice of all points give.
 #![cfg(feature = "libm")]
 
-#[path = "checks/model.rs"]
-mod model;
-
 use hemidisc::sequence::{
     Correlated, Halton, Hammersley, Jittered, R2, Random, Shuffled, Sobol, SobolOwen, Stored,
 };
@@ -12,8 +9,8 @@ use hemidisc::{
     Concentric, Cosine, Domain, Error, FastF32, Frame, LibmF32, LibmF64, Map, Points, Polar, Power,
     Uniform, UnitSquare,
 };
-use model::{Op, check_range, slice};
 use proptest::prelude::*;
+use testkit::model::{Op, check_range, slice};
 
 fn op() -> impl Strategy<Value = Op> {
     prop_oneof![

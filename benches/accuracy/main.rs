@@ -10,29 +10,19 @@
 //! Instructions, flash and stack are those of `target/firmware/report.json`, which the firmware's runner writes;
 //! without it the boards' columns are empty.
 
-#[macro_use]
-#[path = "../../tests/arithmetics/mod.rs"]
-mod arithmetics;
 #[path = "../../examples/gallery/canvas.rs"]
 #[expect(dead_code, reason = "the gallery draws more")]
 mod canvas;
 #[path = "../../examples/gallery/curve.rs"]
 #[allow(dead_code, unused_imports, reason = "the gallery draws more, and tests it")]
 mod curve;
-#[path = "../../tests/accuracy/errors.rs"]
-#[expect(dead_code, reason = "the tests assert bounds")]
-mod errors;
 mod evenness;
 mod firmware;
 mod frontier;
 mod measure;
 mod plot;
-#[path = "../../tests/accuracy/reference.rs"]
-mod reference;
 mod report;
 mod time;
-#[path = "../../tests/accuracy/vectors.rs"]
-mod vectors;
 
 use clap::Parser;
 use std::error::Error;

@@ -6,10 +6,6 @@ use crate::description::{self as scene, Aperture, Scene};
 use crate::effects::{Effect, Effects};
 use crate::frame::{self, Region, Row, Settings};
 use crate::objects::{named, planes, real, spheres, vector};
-use crate::tracer::{
-    Ambient, Camera, Counts, Draw, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer,
-    Sky, Unoccluded,
-};
 use crate::values::Exponent;
 #[cfg(feature = "micromath")]
 use hemidisc::MicromathF32;
@@ -18,6 +14,10 @@ use hemidisc::effect::{
     AmbientOcclusion, BelowHorizon, DiscLight, Glossy, LensRay, Polygon, ThinLens,
 };
 use hemidisc::{Concentric, FastF32, Frame, LibmF32, LibmF64};
+use testkit::tracer::{
+    Ambient, Camera, Counts, Draw, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer,
+    Sky, Unoccluded,
+};
 
 /// Renders a region of a scene with some of its effects, a step after each pass; or says which field is wrong.
 pub(crate) type Render =

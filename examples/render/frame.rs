@@ -5,11 +5,11 @@
 
 use crate::sequence::Sequence;
 use crate::sums::{MOST_PASSES, Sum};
-use crate::tracer::Counts;
 use hemidisc::arithmetic::Real;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::time::Instant;
+use testkit::tracer::Counts;
 
 /// Samples of a pixel that are summed as floats, and then rounded; the last pass of a frame may have fewer.
 const PASS: u32 = 8;

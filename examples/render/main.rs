@@ -5,7 +5,7 @@
 //! cargo run --release --example render -- --scene lens --effects none --report json
 //! ```
 //!
-//! `tracer` is the renderer, which the firmware shares; the rest is the host's: `arguments` reads the command
+//! `testkit::tracer` is the renderer, which the firmware shares; the rest is the host's: `arguments` reads the command
 //! line, `request` what settles the picture, `description` is a scene as its file has it, of checked `values`, and
 //! `file` reads it. `assembly` makes a renderer of the scene's `objects` and the effects called for, `frame` renders
 //! its rows on all cores into `sums`, `picture` makes a PNG of them for the `output`, and `report` says what each
@@ -32,7 +32,6 @@ mod sheet;
 mod sums;
 #[cfg(test)]
 mod tests;
-mod tracer;
 mod values;
 
 use arguments::Arguments;

@@ -1,10 +1,10 @@
 //! Spheres, planes and what they are made of, in the numbers of an arithmetic.
 
 use crate::description::{self as scene, Scene};
-use crate::tracer::{Checker, Finish, Material, Plane, Sphere};
 use crate::values::Exponent;
 use hemidisc::Frame;
 use hemidisc::arithmetic::{Arithmetic, Root};
+use testkit::tracer::{Checker, Finish, Material, Plane, Sphere};
 
 pub(crate) fn spheres<A: Root, G>(
     scene: &Scene,

@@ -8,7 +8,7 @@
 use crate::Failure;
 use crate::effects::{Effect, Effects};
 use crate::frame::Frame;
-use crate::tracer::{Counts, Tally};
+use testkit::tracer::{Counts, Tally};
 
 /// The report on a frame; `render` renders others, to compare with.
 pub(crate) fn json(

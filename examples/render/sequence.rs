@@ -1,10 +1,10 @@
 //! The sequences that a picture can be rendered with, to compare their noise.
 
-use crate::tracer::{Owen, Points};
 use hemidisc::Domain;
 use hemidisc::sequence::{MultiJittered, Random, Sequence as _, Shuffled};
 use serde::{Deserialize, Serialize};
 use std::str::FromStr;
+use testkit::tracer::{Owen, Points};
 
 /// A sequence that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -49,9 +49,6 @@ mod sequence;
 mod set;
 #[path = "../render/sums.rs"]
 mod sums;
-#[path = "../render/tracer/mod.rs"]
-#[expect(unused_imports, reason = "the report has tallies")]
-mod tracer;
 #[path = "../render/values.rs"]
 mod values;
 

@@ -9,9 +9,9 @@ use crate::frame::{Region, Settings};
 use crate::job::{Job, Split, Work};
 use crate::request::Request;
 use crate::{cover, sums::Sum};
-use hemidisc::invariant::Digest;
 use std::io::{self, Read, Write};
 use std::path::Path;
+use testkit::digest::Digest;
 
 /// A scene that is known to be good, and how it is to be rendered.
 pub(crate) struct Rendering {

@@ -44,8 +44,8 @@ const NAME: &str = "fast-f32";
 /// `f32` with polynomials of its own: the fastest on a core with an FPU, in vectors above all.
 ///
 /// Always there: it needs no feature. The bytes are the same on every target and never change within a
-/// major version of this crate. Errors are those of [`contract`](super::contract), a
-/// little above those of `libm` on f32.
+/// major version of this crate. Its largest errors are a little above those of `libm` on f32:
+/// `docs/accuracy.md` has the figures.
 ///
 /// ```
 /// use hemidisc::{Concentric, FastF32, Map};

@@ -3,13 +3,13 @@
 //! The reference is the textbook's formula in f64 (`reference.rs`); for f64 it is the table of mpmath values.
 //! A bound that is twice the largest error found is stale and fails.
 
-use crate::arithmetics::{Exponent, Tested};
-use crate::errors::{EachMap, Errors, each_map, each_power_map, hard_coordinates};
-use crate::reference::reference;
 use hemidisc::Map;
-use hemidisc::arithmetic::contract::{CONTRACTS, contract};
 use hemidisc::sequence::Random;
 use std::collections::HashMap;
+use testkit::arithmetics::{Exponent, Tested};
+use testkit::contract::{CONTRACTS, contract};
+use testkit::errors::{EachMap, Errors, each_map, each_power_map, hard_coordinates};
+use testkit::reference::reference;
 
 /// Collects the errors of every map by its kind.
 struct Measure<'a> {
@@ -112,4 +112,4 @@ fn holds_its_contract<A: Tested>() {
     }
 }
 
-each_arithmetic!(tests holds_its_contract);
+testkit::test_each_arithmetic!(holds_its_contract);

@@ -1,20 +1,14 @@
 //! The command line of the example `points`, which other programs rely on: run as they run it.
-//!
 #![cfg(feature = "libm")]
 
 mod arguments;
-#[macro_use]
-#[path = "../arithmetics/mod.rs"]
-mod arithmetics;
 mod coordinates;
 mod maps;
-#[path = "../programs/mod.rs"]
-mod programs;
 
 use hemidisc::sequence::{Random, Sequence};
-use programs::program;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, Command, Stdio};
+use testkit::programs::program;
 
 /// What a run has left.
 #[derive(Debug)]

@@ -1,10 +1,10 @@
 //! What is printed of each point: the crate's own bits, exact decimals, inverses, rejection.
 
-use super::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic};
 use super::{hard_pairs, hex, hexes, pair, points, points_of, same, square};
 use hemidisc::Map;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, MapVisitor, SEQUENCES, maps, power_maps};
+use testkit::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic};
 
 /// The maps of the command line with what they need; those that keep every point.
 const MAPS: [&str; 10] = [
@@ -86,7 +86,7 @@ fn prints_the_bits_of_the_crate<A: Tested>() {
     assert_eq!(check.maps, 11);
 }
 
-each_arithmetic!(tests prints_the_bits_of_the_crate);
+testkit::test_each_arithmetic!(prints_the_bits_of_the_crate);
 
 #[test]
 fn the_default_arithmetic_is_libm_f32() {

@@ -2,13 +2,13 @@
 //! set and changes the order.
 
 use super::{nets::assert_net, permutation::assert_uniform};
-use crate::chi_square::assert_random;
 use hemidisc::{
     Domain, Error,
     bits::hash::mix,
     sequence::{MultiJittered, Regular, Sequence, Shuffled, Sobol, SobolOwen, Stored},
 };
 use std::collections::HashSet;
+use testkit::chi_square::assert_random;
 
 /// Cells of a 4 x 4 grid that the first `count` pairs of coordinates fill.
 fn filled(count: u32, pair: impl Fn(u32) -> [u32; 2]) -> u32 {

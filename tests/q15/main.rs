@@ -8,12 +8,13 @@
 
 mod rim;
 
-use hemidisc::arithmetic::{Arithmetic, FixedExponent, contract::contract};
+use hemidisc::arithmetic::{Arithmetic, FixedExponent};
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
 use hemidisc::{Map, Power, Q15, Q15Div};
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::LazyLock;
+use testkit::contract::contract;
 
 const ONE: f64 = 32_768.0;
 /// Cells of an axis.

@@ -1,9 +1,6 @@
 //! Shards together are the whole, byte for byte: the example `shard`, run as its users run it.
 #![cfg(feature = "libm")]
 
-#[macro_use]
-#[path = "../arithmetics/mod.rs"]
-mod arithmetics;
 #[path = "../../examples/shard/cover.rs"]
 mod cover;
 mod dying;
@@ -11,13 +8,12 @@ mod frames;
 mod page;
 mod parts;
 mod points;
-#[path = "../programs/mod.rs"]
-mod programs;
 mod ranges;
 
 use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
+use testkit::programs;
 
 fn folder() -> TempDir {
     tempfile::tempdir().expect("a folder")

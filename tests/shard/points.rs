@@ -1,12 +1,12 @@
 //! Points: the bytes of shards are those of the library's own loop.
 
-use super::arithmetics::{Exponent, Number, Tested};
 use super::{folder, holds, made, parts};
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{MapVisitor, SequenceVisitor, maps, power_maps, sequences};
 use hemidisc::map::Component;
 use hemidisc::sequence::{Sequence, SobolOwen};
 use hemidisc::{Concentric, FastF32, Map, Points};
+use testkit::arithmetics::{Exponent, Number, Tested};
 
 /// A component's bits from their text, little-endian.
 fn bytes_of<N: Number>(number: N) -> Vec<u8> {
@@ -122,7 +122,7 @@ fn shards_of_every_map_are_the_whole<A: Tested>() {
     assert_eq!(check.maps, 8);
 }
 
-each_arithmetic!(tests shards_of_every_map_are_the_whole);
+testkit::test_each_arithmetic!(shards_of_every_map_are_the_whole);
 
 #[test]
 fn the_square_is_its_coordinates() {

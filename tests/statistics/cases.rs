@@ -1,10 +1,10 @@
 //! The list of what is tested: the catalogue's maps, and power lobes, in each arithmetic, as
 //! functions of f64.
 
-use crate::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic, peak};
-use hemidisc::arithmetic::contract::{Contract, contract};
 use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, MapVisitor, maps, power_maps};
 use hemidisc::{Map, arithmetic::Arithmetic};
+use testkit::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic, peak};
+use testkit::contract::{Contract, contract};
 
 /// Exponents of the power lobes; 0 is uniform and 1 cosine.
 const EXPONENTS: [f64; 5] = [0.0, 0.5, 1.0, 10.0, 1000.0];

@@ -2,9 +2,9 @@
 //! uniform: r^2 on the disc, 1 - z^(e + 1) of a lobe of exponent e.
 
 use super::cases::{Case, every_case};
-use super::chi_square::{assert_random, statistic};
 use hemidisc::sequence::{Random, Sequence, SobolOwen};
 use std::f64::consts::TAU;
+use testkit::chi_square::{assert_random, statistic};
 
 const COUNT: u32 = 1 << 16;
 const SEEDS: [u32; 3] = [0, 1, 0xdead_beef];

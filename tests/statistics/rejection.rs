@@ -1,13 +1,13 @@
 //! Rejection: the survivors are the candidates inside the disc, pi / 4 of them, uniform on it.
 
-use super::chi_square::{assert_random, statistic};
-use crate::arithmetics::Tested;
 use hemidisc::{
     LibmF32,
     disc::Rejection,
     sequence::{Random, Regular, Sequence, SobolOwen},
 };
 use std::f64::consts::{FRAC_PI_4, TAU};
+use testkit::arithmetics::Tested;
+use testkit::chi_square::{assert_random, statistic};
 
 const COUNT: u32 = 1 << 16;
 
@@ -61,7 +61,7 @@ fn survivors_are_uniform<A: Tested>() {
     }
 }
 
-each_arithmetic!(tests survivors_are_uniform);
+testkit::test_each_arithmetic!(survivors_are_uniform);
 
 /// The exact count of centres of a grid inside the disc: (2c + 1 - m)^2 + (2r + 1 - m)^2 <= m^2.
 #[test]

@@ -2,11 +2,11 @@
 
 use super::target::Broken;
 use super::{SIZES, Target};
-use crate::panel::discs::{COUNT, DISCS, DOT, SEED, cells, disc, draw, pixel};
 use embedded_graphics::prelude::*;
 use hemidisc::sequence::{Correlated, Halton, Jittered, NRooks, Random, Sequence, SobolOwen};
 use hemidisc::{Concentric, Points, Q15};
 use std::collections::BTreeSet;
+use testkit::panel::discs::{COUNT, DISCS, DOT, SEED, cells, disc, draw, pixel};
 
 #[test]
 fn any_16_bits_are_in_the_disc_s_box() {

@@ -7,9 +7,9 @@ use crate::effects::Effects;
 use crate::file;
 use crate::frame::{Region, Row, Settings};
 use crate::sums::Sum;
-use crate::tracer::Counts;
 use crate::values::{Angle, Point};
 use hemidisc::LibmF32;
+use testkit::tracer::Counts;
 
 /// Calls a function with the rows of the still life.
 fn with_still_life(mut run: impl FnMut(&Row<'_, f32>)) {

@@ -5,8 +5,8 @@ use crate::description::{Material, Scene};
 use crate::effects::{Effect, Effects};
 use crate::frame::Settings;
 use crate::report::tally;
-use crate::tracer::Tally;
 use crate::values::{Colour, Exponent, Radius};
+use testkit::tracer::Tally;
 
 /// A scene from whose text the other effects were taken out.
 fn cut(scene: &Scene, effects: Effects) -> Scene {
