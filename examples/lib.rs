@@ -7,7 +7,5 @@ pub mod progress;
 pub mod refusal;
 pub mod render;
 pub mod shard;
-#[path = "render/tracer/mod.rs"]
-pub mod tracer;
 
 pub use failure::Failure;

@@ -19,8 +19,7 @@ pub trait Point: Copy + sealed::Sealed {
     /// A block of points, a component after another: `[Lanes<Component>; D]`.
     type Components;
 
-    /// A point whose components are all 0.
-    #[doc(hidden)]
+    /// A point whose components are all 0: to begin a buffer with.
     fn zero() -> Self;
 
     /// A block of such points.

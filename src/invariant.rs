@@ -44,18 +44,17 @@
 //! # Ok::<(), arbitrary::Error>(())
 //! ```
 //!
-//! `tests/checks` of the repository is what this crate's own targets check, in every arithmetic.
+//! The checks of this crate's own targets, in every arithmetic, are in `testkit/src/checks` of its
+//! repository.
 
 use crate::block::BLOCK;
 use crate::map::{Component, Density, Invert, Map};
 use crate::sequence::Sequence;
 use core::fmt;
 
-mod digest;
 mod exact;
 mod strata;
 
-pub use digest::{Digest, Digestible};
 pub use exact::{Exact, in_unit_disc};
 pub use strata::{cells, net, rooks};
 

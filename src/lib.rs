@@ -45,5 +45,7 @@ pub use coordinates::Coordinates;
 pub use domain::Domain;
 pub use error::{Axis, Error};
 pub use frame::Frame;
-pub use map::{Concentric, Cosine, Map, Polar, Power, Uniform, UnitSquare, disc, hemisphere};
+pub use map::{
+    Concentric, Cosine, Density, Invert, Map, Polar, Power, Uniform, UnitSquare, disc, hemisphere,
+};
 pub use points::Points;

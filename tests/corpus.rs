@@ -1,13 +1,15 @@
 //! Every file of the fuzz corpora through the check of its target, on stable, as the fuzzer runs it.
-#![cfg(all(feature = "libm", feature = "micromath", feature = "fixed-point"))]
+#![cfg(all(
+    feature = "libm",
+    feature = "micromath",
+    feature = "fixed-point",
+    feature = "arbitrary"
+))]
 
-#[path = "checks/mod.rs"]
-mod checks;
-
-use checks::CHECKS;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use testkit::checks::CHECKS;
 
 /// A folder of the fuzzing workspace, by name.
 fn fuzz(name: &str) -> PathBuf {
@@ -23,7 +25,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 
 /// No file is refused: what does not make an input has no place in a corpus.
 fn replay(target: &str) {
-    let (_, check) = CHECKS.into_iter().find(|(name, _)| *name == target).unwrap();
+    let (_, check) = CHECKS.iter().find(|(name, _)| *name == target).unwrap();
     let files = files(&fuzz("corpus").join(target));
     assert!(!files.is_empty(), "{target}: no corpus");
     for file in &files {

@@ -5,22 +5,12 @@
 //! in full: every minor coordinate that the type can tell apart.
 #![cfg(feature = "libm")]
 
-#[macro_use]
-mod arithmetics;
-#[path = "accuracy/errors.rs"]
-#[expect(dead_code, reason = "the accuracy tests look for stale bounds too")]
-mod errors;
-#[path = "checks/promises.rs"]
-mod promises;
-#[path = "accuracy/reference.rs"]
-mod reference;
-
-use arithmetics::{Number, Tested, every_arithmetic};
 use hemidisc::arithmetic::Float;
 use hemidisc::invariant::{self, Exact, in_unit_disc};
-use hemidisc::{Concentric, Cosine, LibmF32, Map, Polar, Power, Uniform};
-use promises::{AtSample, Total};
+use hemidisc::{Concentric, Cosine, LibmF32, Map, Polar, Power, Uniform, Density, Invert};
 use proptest::prelude::*;
+use testkit::arithmetics::{Number, Tested, every_arithmetic};
+use testkit::promises::{AtSample, Total};
 
 /// Any bit pattern; the hard ones, near an edge, the centre or a power of two, as often as not.
 fn coordinate() -> impl Strategy<Value = u32> {
@@ -64,7 +54,7 @@ proptest! {
     ) {
         every_arithmetic(&mut AtSample { uv, exponent, bits });
         total(Uniform::<Checked>::new().sample(uv), exponent);
-        total(Power::<Checked, _>::polar(exponent).unwrap().sample(uv), exponent);
+        total(Power::over(exponent, Polar::<Checked>::new()).unwrap().sample(uv), exponent);
     }
 
     #[test]
@@ -82,7 +72,7 @@ proptest! {
 /// Whatever is asked of, an answer comes: no panic, no argument that a library of functions does
 /// not expect, a density that is a number and 0 below the horizon.
 fn total([x, y, z]: [f32; 3], e: f32) {
-    let lobes = (Power::<Checked>::new(e).unwrap(), Power::<Checked, _>::polar(e).unwrap());
+    let lobes = (Power::<Checked>::new(e).unwrap(), Power::over(e, Polar::<Checked>::new()).unwrap());
     for density in [
         lobes.0.density([x, y, z]),
         Uniform::<Checked>::new().density([x, y, z]),
@@ -95,9 +85,9 @@ fn total([x, y, z]: [f32; 3], e: f32) {
     lobes.0.invert([x, y, z]);
     lobes.1.invert([x, y, z]);
     Uniform::<Checked>::new().invert([x, y, z]);
-    Uniform::<Checked, _>::polar().invert([x, y, z]);
+    Uniform::over(Polar::<Checked>::new()).invert([x, y, z]);
     Cosine::<Checked>::new().invert([x, y, z]);
-    Cosine::<Checked, _>::polar().invert([x, y, z]);
+    Cosine::over(Polar::<Checked>::new()).invert([x, y, z]);
     Concentric::<Checked>::new().invert([x, y]);
     Polar::<Checked>::new().invert([x, y]);
 }
@@ -188,7 +178,7 @@ fn no_point_of_the_outer_rings_is_outside<A: Tested>() {
     assert_eq!(walked, total);
 }
 
-each_arithmetic!(tests no_point_of_the_outer_rings_is_outside);
+testkit::test_each_arithmetic!(no_point_of_the_outer_rings_is_outside);
 
 fn the_seam_and_the_rim_of_polar_are_on_the_disc<A: Tested>() {
     for v in (0..40_000).map(|i| u32::MAX - i * 7) {
@@ -201,4 +191,4 @@ fn the_seam_and_the_rim_of_polar_are_on_the_disc<A: Tested>() {
     }
 }
 
-each_arithmetic!(tests the_seam_and_the_rim_of_polar_are_on_the_disc);
+testkit::test_each_arithmetic!(the_seam_and_the_rim_of_polar_are_on_the_disc);

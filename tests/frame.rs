@@ -1,13 +1,10 @@
 //! Frames: orthonormal about any unit vector, exact near z = -1, and world-space sampling.
 #![cfg(feature = "libm")]
 
-#[path = "checks/orthonormal.rs"]
-mod orthonormal;
-
 use hemidisc::sequence::{Random, SobolOwen};
-use hemidisc::{Cosine, Error, Frame, LibmF32, LibmF64, Map, Points, Power, UnitSquare};
-use orthonormal::{LARGEST, deviation, dot};
+use hemidisc::{Cosine, Error, Frame, LibmF32, LibmF64, Map, Points, Power, UnitSquare, Density};
 use proptest::prelude::*;
+use testkit::orthonormal::{LARGEST, deviation, dot};
 
 /// A unit vector in f32 from any direction, rounded once.
 fn unit([x, y, z]: [f64; 3]) -> [f32; 3] {

@@ -8,28 +8,13 @@
 //! A file whose values depend on another crate begins with its version in the lock file.
 #![cfg(feature = "libm")]
 
-#[macro_use]
-mod arithmetics;
-#[cfg(feature = "micromath")]
-#[path = "golden/bare.rs"]
-mod bare;
-#[cfg(feature = "micromath")]
-#[path = "golden/effects.rs"]
-mod effects;
-#[path = "golden/lines.rs"]
-mod lines;
-#[cfg(feature = "micromath")]
-#[path = "golden/render.rs"]
-mod render;
-#[cfg(feature = "micromath")]
-#[path = "../examples/render/tracer/mod.rs"]
-#[expect(dead_code, unused_imports, reason = "the example counts and reflects in more ways")]
-mod tracer;
-
-use arithmetics::Tested;
 use hemidisc::catalogue::AVAILABLE_ARITHMETICS;
 use std::fmt::Write;
 use std::path::Path;
+use testkit::arithmetics::Tested;
+use testkit::golden::lines;
+#[cfg(feature = "micromath")]
+use testkit::golden::{bare, effects, render};
 
 /// Compares with the file, or writes it where that is asked for.
 fn compare(name: &str, text: &str) {
@@ -119,7 +104,7 @@ fn is_as_recorded<A: Tested>() {
     compare(&format!("{}.txt", A::NAME), &text);
 }
 
-each_arithmetic!(tests is_as_recorded);
+testkit::test_each_arithmetic!(is_as_recorded);
 
 #[test]
 fn every_arithmetic_has_a_file() {

@@ -3,7 +3,8 @@
 
 use hemidisc::invariant::{self, Violation, in_unit_disc};
 use hemidisc::sequence::{Block, Hammersley, NRooks, Regular, Sequence, Sobol};
-use hemidisc::{Concentric, Cosine, LibmF32, Map, Polar};
+use hemidisc::map::{Component, Density, Invert, Map, Point};
+use hemidisc::{Concentric, Cosine, LibmF32, Polar};
 
 /// A map with a fault in its points, its density or its inverse.
 #[derive(Clone, Copy)]
@@ -20,18 +21,21 @@ impl<M: Map> Faulty<M> {
     }
 }
 
-impl<M: Map<Arithmetic = LibmF32>> Map for Faulty<M> {
-    type Arithmetic = LibmF32;
+impl<M: Map> Map for Faulty<M> {
     type Point = M::Point;
 
     fn sample(&self, uv: [u32; 2]) -> M::Point {
         (self.sample)(self.map.sample(uv))
     }
+}
 
-    fn density(&self, point: M::Point) -> f32 {
+impl<M: Density<Point: Point<Component = f32>>> Density for Faulty<M> {
+    fn density(&self, point: M::Point) -> Component<Self> {
         (self.density)(self.map.density(point))
     }
+}
 
+impl<M: Invert<Point: Point<Component = f32>>> Invert for Faulty<M> {
     fn invert(&self, point: M::Point) -> [u32; 2] {
         (self.invert)(self.map.invert(point))
     }
@@ -96,8 +100,8 @@ impl<S: Sequence> Sequence for Replaced<S> {
         self.sequence.size()
     }
 
-    fn point(&self, index: u32) -> [u32; 2] {
-        if index == self.index { self.point } else { self.sequence.point(index) }
+    fn at(&self, index: u32) -> [u32; 2] {
+        if index == self.index { self.point } else { self.sequence.at(index) }
     }
 
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {

@@ -2,9 +2,6 @@
 //! order, give what the same operations on a slice of all points give.
 #![cfg(feature = "libm")]
 
-#[path = "checks/model.rs"]
-mod model;
-
 use hemidisc::sequence::{
     Correlated, Halton, Hammersley, Jittered, R2, Random, Shuffled, Sobol, SobolOwen, Stored,
 };
@@ -12,8 +9,8 @@ use hemidisc::{
     Concentric, Cosine, Domain, Error, FastF32, Frame, LibmF32, LibmF64, Map, Points, Polar, Power,
     Uniform, UnitSquare,
 };
-use model::{Op, check_range, slice};
 use proptest::prelude::*;
+use testkit::model::{Op, check_range, slice};
 
 fn op() -> impl Strategy<Value = Op> {
     prop_oneof![
@@ -46,7 +43,7 @@ proptest! {
         for e in [-0.5, 0.0, 50.0, 1e20] {
             check_range(Sobol::new(3), Power::<FastF32>::new(e).unwrap(), [start, 500], &ops);
         }
-        check_range(Sobol::new(4), Uniform::<FastF32, _>::polar(), [start, 500], &ops);
+        check_range(Sobol::new(4), Uniform::over(Polar::<FastF32>::new()), [start, 500], &ops);
         let start = start % 400;
         check_range(Jittered::new(20, 25, 1).unwrap(), disc, [start, 500], &ops);
         check_range(Hammersley::new(473).unwrap(), disc, [start, 500], &ops);
@@ -64,7 +61,7 @@ fn check_components<M: Map<Point = [f32; D]>, const D: usize>(
     lengths: [usize; D],
 ) {
     let count = 400.min(u32::MAX - start);
-    let points = Points::of_range(Sobol::new(1), map, start, count).unwrap();
+    let points = Points::with_range(Sobol::new(1), map, start..start + count).unwrap();
     let mut buffers = lengths.map(|length| vec![7.0; length]);
     let filled = points.fill_components(buffers.each_mut().map(Vec::as_mut_slice));
     let shortest = *lengths.iter().min().unwrap();
@@ -96,14 +93,21 @@ proptest! {
 #[test]
 fn the_last_index_is_reached() {
     let (sequence, map) = (Sobol::new(0), Concentric::<LibmF32>::new());
-    let last = Points::of_range(sequence, map, u32::MAX, 1).unwrap();
+    let last = Points::with_range(sequence, map, u32::MAX..=u32::MAX).unwrap();
     assert_eq!(last.iter().collect::<Vec<_>>(), [map.sample(sequence.at(u32::MAX))]);
-    let error = Points::of_range(sequence, map, u32::MAX, 2).unwrap_err();
-    assert_eq!(error, Error::Range { start: u32::MAX, count: 2, len: 1 << 32 });
+    assert_eq!(Points::with_range(sequence, map, u32::MAX..).unwrap().len(), 1);
+    assert_eq!(Points::with_range(sequence, map, ..).unwrap().len(), u32::MAX);
+    assert_eq!(Points::with_range(sequence, map, 1..).unwrap().len(), u32::MAX);
+    let error = Points::with_range(sequence, map, ..=u32::MAX).unwrap_err();
+    assert_eq!(error, Error::Range { start: 0, count: 1 << 32, len: 1 << 32 });
+    assert_eq!(error.to_string(), "a range of 4294967296 points; accepted: at most 4294967295");
+    let backward = core::ops::Range { start: 5, end: 3 };
+    let error = Points::with_range(sequence, map, backward).unwrap_err();
+    assert_eq!(error.to_string(), "a range from 5 to 3; accepted: an end not below the start");
     let set = Points::new(Hammersley::new(8).unwrap(), map);
     assert_eq!(set.len(), 8);
-    assert!(set.range(8, 0).is_ok() && set.range(8, 1).is_err() && set.first(9).is_err());
-    assert!(Points::of_range(Hammersley::new(8).unwrap(), map, 4, 5).is_err());
+    assert!(set.range(8..8).is_ok() && set.range(8..9).is_err() && set.take(9).is_err());
+    assert!(Points::with_range(Hammersley::new(8).unwrap(), map, 4..9).is_err());
 }
 
 #[test]
@@ -120,10 +124,10 @@ fn arrays_are_checked() {
 fn heapless_vectors_do_not_panic() {
     let set = Points::new(Hammersley::new(8).unwrap(), Concentric::<LibmF32>::new());
     let mut vec: heapless::Vec<[f32; 2], 11> = heapless::Vec::new();
-    assert_eq!((set.extend_vec(&mut vec), set.extend_vec(&mut vec), vec.len()), (8, 3, 11));
-    assert_eq!(set.extend_vec(&mut vec), 0);
-    assert_eq!(set.to_vec::<7>(), Err(Error::Capacity { len: 8, capacity: 7 }));
-    let whole = set.to_vec::<8>().unwrap();
+    assert_eq!((set.extend_heapless(&mut vec), set.extend_heapless(&mut vec), vec.len()), (8, 3, 11));
+    assert_eq!(set.extend_heapless(&mut vec), 0);
+    assert_eq!(set.to_heapless::<7>(), Err(Error::Capacity { len: 8, capacity: 7 }));
+    let whole = set.to_heapless::<8>().unwrap();
     assert!(whole.iter().copied().eq(set.iter()));
     let collected: heapless::Vec<[f32; 2], 5> = set.iter().take(5).collect();
     assert_eq!(collected[..], whole[..5]);

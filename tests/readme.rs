@@ -2,14 +2,14 @@
 //!
 //! To write it anew: `HEMIDISC_BLESS=1 cargo test --all-features --test readme`.
 
-use hemidisc::arithmetic::contract::CONTRACTS;
 use std::fmt::Write;
 use std::path::Path;
+use testkit::contract::CONTRACTS;
 
 /// The bounds as Markdown.
 fn table() -> String {
     let mut text = String::from(
-        "| arithmetic | map | position | norm | theta | z | density | inverse |\n\
+        "| arithmetic | map | position | norm | theta | z | density | round trip |\n\
          | --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );
     for row in CONTRACTS {
@@ -25,7 +25,7 @@ fn table() -> String {
         writeln!(
             text,
             "| `{}`, {unit} | {} | {} | {} | {theta} | {z} | {density} | {} |",
-            row.arithmetic, row.map, row.position, row.norm, row.inverse
+            row.arithmetic, row.map, row.position, row.norm, row.round_trip
         )
         .unwrap();
     }

@@ -5,11 +5,11 @@
 //! the angle about the axis. The deviation is the largest difference between the shares of a set that are below any
 //! t, of the points as they are and as they would be exactly (two-sample Kolmogorov-Smirnov).
 
-use crate::errors::Reference;
 use hemidisc::Map;
 use hemidisc::invariant::Exact;
 use hemidisc::sequence::SobolOwen;
 use std::f64::consts::TAU;
+use testkit::errors::Reference;
 
 /// Points of the set. Without its scrambling many points of a net have one radius or one angle, which any rounding
 /// parts.

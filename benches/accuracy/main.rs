@@ -10,23 +10,13 @@
 //! Instructions, flash and stack are those of `target/firmware/report.json`, which the firmware's runner writes;
 //! without it the boards' columns are empty.
 
-#[macro_use]
-#[path = "../../tests/arithmetics/mod.rs"]
-mod arithmetics;
-#[path = "../../tests/accuracy/errors.rs"]
-#[expect(dead_code, reason = "the tests assert bounds")]
-mod errors;
 mod evenness;
 mod firmware;
 mod frontier;
 mod measure;
 mod plot;
-#[path = "../../tests/accuracy/reference.rs"]
-mod reference;
 mod report;
 mod time;
-#[path = "../../tests/accuracy/vectors.rs"]
-mod vectors;
 
 use clap::Parser;
 use std::error::Error;

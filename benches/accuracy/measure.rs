@@ -3,17 +3,18 @@
 //! Against the textbook's formula in f64 at random and at hard coordinates; `libm-f64`, which that cannot judge,
 //! against mpmath at the hard cases of `tests/vectors/maps.csv`.
 
-use crate::arithmetics::{EachArithmetic, Exponent, Tested, every_arithmetic};
-use crate::errors::{EachMap, Errors, Reference, each_map, each_power_map, hard_coordinates};
 use crate::evenness::deviation;
-use crate::reference::reference;
-use crate::vectors::{self, Table};
+use hemidisc::Invert;
 use hemidisc::Map;
-use hemidisc::arithmetic::contract::{Contract, contract};
 use hemidisc::invariant::Exact;
 use hemidisc::sequence::Random;
 use serde::Serialize;
 use std::collections::BTreeMap;
+use testkit::arithmetics::{EachArithmetic, Exponent, Tested, every_arithmetic};
+use testkit::contract::{Contract, contract};
+use testkit::errors::{EachMap, Errors, Reference, each_map, each_power_map, hard_coordinates};
+use testkit::reference::reference;
+use testkit::vectors::{self, Table};
 
 /// Exponents of the power lobe; its errors are those of both.
 const EXPONENTS: [f64; 2] = [10.0, 100.0];
@@ -88,7 +89,7 @@ struct Maps<'a> {
 }
 
 impl<A: Tested> EachMap<A> for Maps<'_> {
-    fn each<const D: usize, M: Map<Arithmetic = A, Point = [A::Real; D]>>(
+    fn each<const D: usize, M: Invert<Point = [A::Real; D]>>(
         &mut self,
         kind: &'static str,
         disc: &'static str,

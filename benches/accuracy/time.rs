@@ -1,13 +1,13 @@
 //! Time of a point on this machine: every map x arithmetic once in each of many rounds, the smallest of each.
 
-use crate::arithmetics::{EachArithmetic, Exponent, Tested, every_arithmetic};
-use crate::errors::{EachMap, each_map, each_power_map};
 use crate::measure::Row;
 use hemidisc::sequence::{SobolOwen, Stored};
-use hemidisc::{Map, Points};
+use hemidisc::{Invert, Points};
 use std::collections::HashMap;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
+use testkit::arithmetics::{EachArithmetic, Exponent, Tested, every_arithmetic};
+use testkit::errors::{EachMap, each_map, each_power_map};
 
 /// Points of a fill: they and their coordinates stay in the first cache.
 const COUNT: usize = 1024;
@@ -47,7 +47,7 @@ impl EachArithmetic for Round<'_> {
 }
 
 impl<A: Tested> EachMap<A> for Round<'_> {
-    fn each<const D: usize, M: Map<Arithmetic = A, Point = [A::Real; D]>>(
+    fn each<const D: usize, M: Invert<Point = [A::Real; D]>>(
         &mut self,
         kind: &'static str,
         disc: &'static str,

@@ -10,6 +10,7 @@
 //! All but the peers come from the catalogue's lists.
 
 use crate::{Failure, fused, maps, peers, sequences};
+use hemidisc::map::Point;
 use hemidisc::{Map, Points, sequence::Sequence};
 use rand_xoshiro::Xoshiro128PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
@@ -76,14 +77,14 @@ pub(crate) fn every<'a>(
 
 /// Points of a sequence into a buffer: what a caller of the crate does.
 pub(crate) fn filler<S: Sequence, M: Map>(sequence: S, map: M, points: usize) -> impl FnMut() {
-    let mut buffer = vec![M::Point::default(); points];
+    let mut buffer = vec![M::Point::zero(); points];
     let all = Points::new(sequence, map);
     // A set that is too short stops the bench at the division below.
     let windows = (all.len() as usize / points).min(WINDOWS);
     let mut window = 0;
     move || {
         window = (window + 1) % windows;
-        if let Ok(points) = all.range((window * points) as u32, points as u32) {
+        if let Ok(points) = all.range((window * points) as u32..((window + 1) * points) as u32) {
             fill(black_box(&points), black_box(&mut buffer));
         }
     }

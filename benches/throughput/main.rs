@@ -11,8 +11,8 @@
 //! one process. With `RUSTFLAGS="-C target-cpu=native"` it is another build, whose figures stand beside the
 //! baseline's. `--test` does everything once, to see that it works.
 //!
-//! `fills` says what is timed; `sequences`, `maps`, `fused` and `peers` are its families, `textbook` has the peers'
-//! formulas. `timings` is criterion's part. `rounds` interleaves; `targets` and `linear` are rounds of their own;
+//! `fills` says what is timed; `sequences`, `maps`, `fused` and `peers` are its families, the peers' formulas
+//! are in `testkit::textbook`. `timings` is criterion's part. `rounds` interleaves; `targets` and `linear` are rounds of their own;
 //! `report` keeps what was measured, and `table` prints it.
 
 mod fills;
@@ -25,7 +25,6 @@ mod rounds;
 mod sequences;
 mod table;
 mod targets;
-mod textbook;
 mod timings;
 
 use fills::{Coordinates, LARGE, SMALL};

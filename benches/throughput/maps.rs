@@ -6,7 +6,7 @@ use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{self, ArithmeticVisitor, MapVisitor};
 use hemidisc::disc::Rejection;
 use hemidisc::sequence::{Sequence, Stored};
-use hemidisc::{Map, UnitSquare};
+use hemidisc::{Map, UnitSquare, Invert};
 use std::hint::black_box;
 
 /// The exponent of the power lobe: a highlight of some 10 degrees.
@@ -83,34 +83,39 @@ impl<'a, 'v, S: Sequence + 'a, V: Visitor<'a>> Through<'v, S, V> {
 
     /// Every one-to-one map of an arithmetic.
     pub(crate) fn maps<A: Arithmetic>(&mut self) -> Result<(), Failure> {
-        self.map("square", "-", UnitSquare::<A>::new());
+        self.map::<A, _>("square", "-", UnitSquare::<A>::new());
         catalogue::maps::<A>(self);
         let exponent = EXPONENT.to_string().parse::<A::Parameter>();
         catalogue::power_maps::<A>(exponent.map_err(|error| error.to_string())?, self)?;
         Ok(())
     }
 
-    fn map<M: Map<Point: 'static> + 'static>(&mut self, name: &str, disc: &str, map: M) {
-        let path = format!("{}/{name}/{disc}/{}", self.prefix, M::Arithmetic::NAME);
+    fn map<A: Arithmetic, M: Map<Point: 'static> + 'static>(
+        &mut self,
+        name: &str,
+        disc: &str,
+        map: M,
+    ) {
+        let path = format!("{}/{name}/{disc}/{}", self.prefix, A::NAME);
         self.visitor.fill(&path, || filler(self.sequence, map, self.points));
     }
 }
 
 impl<'a, A: Arithmetic, S: Sequence + 'a, V: Visitor<'a>> MapVisitor<A> for Through<'_, S, V> {
-    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]> + 'static>(
+    fn disc<M: Invert<Point = [A::Real; 2]> + 'static>(
         &mut self,
         name: &'static str,
         map: M,
     ) {
-        self.map("disc", name, map);
+        self.map::<A, _>("disc", name, map);
     }
 
-    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]> + 'static>(
+    fn hemisphere<M: Invert<Point = [A::Real; 3]> + 'static>(
         &mut self,
         name: &'static str,
         disc: &'static str,
         map: M,
     ) {
-        self.map(name, disc, map);
+        self.map::<A, _>(name, disc, map);
     }
 }

@@ -3,13 +3,13 @@
 
 use crate::fills::{Coordinates, SEED, Visitor, generator};
 use crate::maps::EXPONENT;
-use crate::textbook::{
-    Functions, pbrt_concentric, pbrt_cosine, pbrt_polar, pbrt_uniform, suffern_concentric,
-    suffern_power, unit,
-};
 use rand_distr::{Distribution, UnitDisc, UnitSphere};
 use rand_xoshiro::rand_core::Rng;
 use std::hint::black_box;
+use testkit::textbook::{
+    Functions, pbrt_concentric, pbrt_cosine, pbrt_polar, pbrt_uniform, suffern_concentric,
+    suffern_power, unit,
+};
 
 /// The functions of std, which are the platform's: what a renderer in C++ or Rust calls; and with `libm`'s power.
 struct Std<const LIBM_POWER: bool = false>;

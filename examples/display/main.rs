@@ -6,10 +6,9 @@
 //! - `points.png`: 256 lens samples of six sequences each;
 //! - `pass-1.png` to `pass-3.png`, then `render.png`: a scene with four effects while it is rendered.
 //!
-//! `panel` draws, with the renderer of the example `render`, and asks for nothing but `core` and a `DrawTarget`. That
+//! `testkit::panel` draws, with the renderer `testkit::tracer`, and asks for nothing but `core` and a `DrawTarget`. That
 //! is a panel in memory here, and in a firmware the display of its driver; nothing else changes.
 
-mod panel;
 #[cfg(test)]
 mod tests;
 
@@ -17,15 +16,13 @@ use clap::Parser;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
 use examples::messages::{answer, say, unwritable};
-// `panel` finds the renderer here, as it does in a firmware.
-use examples::tracer;
-use panel::picture::PASSES;
-use panel::scene::Objects;
-use panel::{discs, picture};
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use testkit::panel::picture::PASSES;
+use testkit::panel::scene::Objects;
+use testkit::panel::{discs, picture};
 
 /// Width and height.
 const SIZE: [u32; 2] = [160, 128];

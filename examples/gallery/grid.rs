@@ -2,7 +2,7 @@
 //!
 //! Lines are sampled densely through the map in f64; a panel thins them to what the eye can tell.
 
-use hemidisc::{Concentric, LibmF64, Map, Polar, Square};
+use hemidisc::{Concentric, LibmF64, Map, Polar, Coordinates};
 use plotters::prelude::RGBColor;
 
 /// Where a map takes a point of the square.
@@ -10,12 +10,12 @@ pub(crate) type Image = fn([u32; 2]) -> [f64; 2];
 
 /// The square about the origin, as large in area as the disc: lengths on both can be compared.
 pub(crate) fn square(uv: [u32; 2]) -> [f64; 2] {
-    Square(uv).to_f64().map(|k| (k - 0.5) * std::f64::consts::PI.sqrt())
+    Coordinates(uv).to_f64().map(|k| (k - 0.5) * std::f64::consts::PI.sqrt())
 }
 
 /// The candidates of rejection: [-1, 1]^2.
 pub(crate) fn centred(uv: [u32; 2]) -> [f64; 2] {
-    Square(uv).to_f64().map(|k| 2.0 * k - 1.0)
+    Coordinates(uv).to_f64().map(|k| 2.0 * k - 1.0)
 }
 
 pub(crate) fn polar(uv: [u32; 2]) -> [f64; 2] {

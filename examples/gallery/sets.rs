@@ -8,7 +8,7 @@ use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{self, MapVisitor, SequenceVisitor};
 use hemidisc::disc::Rejection;
 use hemidisc::sequence::Sequence;
-use hemidisc::{Error, LibmF32, Map, Points, Square};
+use hemidisc::{Error, LibmF32, Map, Points, Coordinates, Invert};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -83,7 +83,7 @@ impl SequenceVisitor for Collector<'_> {
 }
 
 fn set<S: Sequence>(name: &'static str, sequence: S, count: u32) -> Result<Set, Error> {
-    let coordinates = (0..count).map(|index| sequence.point(index)).collect();
+    let coordinates = (0..count).map(|index| sequence.at(index)).collect();
     let mut maps = Maps {
         sequence,
         count,
@@ -103,15 +103,15 @@ fn set<S: Sequence>(name: &'static str, sequence: S, count: u32) -> Result<Set, 
 fn rejection<S: Sequence>(sequence: S, count: u32) -> OnDisc {
     let mut buffer = [[0.0_f32; 2]; BUFFER];
     let fill = |buffer: &mut [[f32; 2]]| {
-        let kept = Rejection::<LibmF32, _>::new((0..count).map(|index| sequence.point(index)));
+        let kept = Rejection::<LibmF32, _>::new((0..count).map(|index| sequence.at(index)));
         buffer.iter_mut().zip(kept).map(|(slot, point)| *slot = point).count()
     };
     let kept = fill(&mut buffer);
     let nanoseconds = nanoseconds_a_point(kept, || fill(black_box(&mut buffer)));
-    let candidates = (0..count).map(|index| sequence.point(index));
+    let candidates = (0..count).map(|index| sequence.at(index));
     let rejected = candidates
         .filter(|uv| !Rejection::<LibmF32, ()>::inside(*uv))
-        .map(|uv| Square(uv).to_f64().map(|k| 2.0 * k - 1.0))
+        .map(|uv| Coordinates(uv).to_f64().map(|k| 2.0 * k - 1.0))
         .collect();
     let points = widened(&buffer, kept);
     let measured = Measured::of(&points, count);
@@ -130,7 +130,7 @@ struct Maps<S> {
 
 impl<S: Sequence> Maps<S> {
     /// Fills a buffer as a caller would, and times it; with the points that it holds then.
-    fn fill<M: Map<Arithmetic = LibmF32, Point = [f32; D]>, const D: usize>(
+    fn fill<M: Map<Point = [f32; D]>, const D: usize>(
         &self,
         map: M,
     ) -> (Vec<[f64; D]>, f64)
@@ -140,7 +140,7 @@ impl<S: Sequence> Maps<S> {
         let mut buffer = [[0.0; D]; BUFFER];
         // Every set of the catalogue has at least the points asked for, but it need not.
         let points = Points::new(self.sequence, map);
-        let points = points.first(self.count).unwrap_or(points);
+        let points = points.take(self.count).unwrap_or(points);
         let filled = points.fill(&mut buffer);
         let nanoseconds = nanoseconds_a_point(filled, || points.fill(black_box(&mut buffer)));
         (widened(&buffer, filled), nanoseconds)
@@ -150,7 +150,7 @@ impl<S: Sequence> Maps<S> {
 type Slot = <LibmF32 as Arithmetic>::Real;
 
 impl<S: Sequence> MapVisitor<LibmF32> for Maps<S> {
-    fn disc<M: Map<Arithmetic = LibmF32, Point = [Slot; 2]>>(
+    fn disc<M: Invert<Point = [Slot; 2]>>(
         &mut self,
         name: &'static str,
         map: M,
@@ -160,7 +160,7 @@ impl<S: Sequence> MapVisitor<LibmF32> for Maps<S> {
         self.discs.push(OnDisc { map: name, points, rejected: Vec::new(), measured, nanoseconds });
     }
 
-    fn hemisphere<M: Map<Arithmetic = LibmF32, Point = [Slot; 3]>>(
+    fn hemisphere<M: Invert<Point = [Slot; 3]>>(
         &mut self,
         _: &'static str,
         disc: &'static str,

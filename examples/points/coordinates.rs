@@ -38,7 +38,7 @@ impl SequenceVisitor for Selected<'_> {
         if name == self.name {
             let endless = sequence.size().is_none();
             self.result = indices(endless, self.start, self.count)
-                .and_then(|range| (self.consume)(&mut range.map(|index| sequence.point(index))));
+                .and_then(|range| (self.consume)(&mut range.map(|index| sequence.at(index))));
         }
     }
 }

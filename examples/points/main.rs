@@ -86,13 +86,13 @@ fn print_in<A: Arithmetic>(arguments: &Arguments) -> Result<(), Failure> {
         (MapName::DiscPolar, _) => table.print(&Mapped(Polar::<A>::new())),
         (MapName::DiscConcentric, _) => table.print(&Mapped(Concentric::<A>::new())),
         (MapName::HemisphereUniform, DiscName::Polar) => {
-            table.print(&Mapped(Uniform::<A, _>::polar()))
+            table.print(&Mapped(Uniform::over(Polar::<A>::new())))
         }
         (MapName::HemisphereUniform, DiscName::Concentric) => {
             table.print(&Mapped(Uniform::<A>::new()))
         }
         (MapName::HemisphereCosine, DiscName::Polar) => {
-            table.print(&Mapped(Cosine::<A, _>::polar()))
+            table.print(&Mapped(Cosine::over(Polar::<A>::new())))
         }
         (MapName::HemisphereCosine, DiscName::Concentric) => {
             table.print(&Mapped(Cosine::<A>::new()))
@@ -103,7 +103,7 @@ fn print_in<A: Arithmetic>(arguments: &Arguments) -> Result<(), Failure> {
             let refused = |error| Failure::Usage(format!("--exponent: {error}"));
             match disc {
                 DiscName::Polar => {
-                    table.print(&Mapped(Power::<A, _>::polar(exponent).map_err(refused)?))
+                    table.print(&Mapped(Power::over(exponent, Polar::<A>::new()).map_err(refused)?))
                 }
                 DiscName::Concentric => {
                     table.print(&Mapped(Power::<A>::new(exponent).map_err(refused)?))

@@ -4,9 +4,10 @@ use crate::arguments::Arguments;
 use crate::coordinates::coordinates;
 use crate::field::{Writer, writer};
 use crate::{Failure, tell};
+use hemidisc::Invert;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::disc::Rejection;
-use hemidisc::map::{Component, Map};
+use hemidisc::map::Component;
 use std::io::{self, BufWriter, Write};
 
 /// A map as the command line sees it: one that may refuse coordinates.
@@ -26,7 +27,7 @@ pub(crate) trait Target {
 /// A one-to-one map.
 pub(crate) struct Mapped<M>(pub(crate) M);
 
-impl<M: Map<Point: AsRef<[Component<M>]>>> Target for Mapped<M> {
+impl<M: Invert<Point: AsRef<[Component<M>]>>> Target for Mapped<M> {
     type Real = Component<M>;
     type Point = M::Point;
     const REJECTS: bool = false;

@@ -7,16 +7,16 @@ use crate::render::effects::{Effect, Effects};
 use crate::render::frame::{self, Region, Row, Settings};
 use crate::render::objects::{named, planes, real, spheres, vector};
 use crate::render::values::Exponent;
-use crate::tracer::{
-    Ambient, Camera, Counts, Draw, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer,
-    Sky, Unoccluded,
-};
 use hemidisc::MicromathF32;
 use hemidisc::arithmetic::{Arithmetic, Root};
 use hemidisc::effect::{
     AmbientOcclusion, BelowHorizon, DiscLight, Glossy, LensRay, Polygon, ThinLens,
 };
 use hemidisc::{Concentric, FastF32, Frame, LibmF32, LibmF64};
+use testkit::tracer::{
+    Ambient, Camera, Counts, Draw, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer,
+    Sky, Unoccluded,
+};
 
 /// Renders a region of a scene with some of its effects, a step after each pass; or says which field is wrong.
 pub type Render =

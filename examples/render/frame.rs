@@ -5,11 +5,11 @@
 
 use crate::render::sequence::Sequence;
 use crate::render::sums::{MOST_PASSES, Sum};
-use crate::tracer::Counts;
 use hemidisc::arithmetic::Real;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::time::Instant;
+use testkit::tracer::Counts;
 
 /// Samples of a pixel that are summed as floats, and then rounded; the last pass of a frame may have fewer.
 const PASS: u32 = 8;
@@ -58,7 +58,7 @@ pub struct Frame {
 ///
 /// Behind a pointer, so that what runs rows on all cores is compiled once and not for every renderer.
 ///
-/// [`Renderer::row`]: crate::tracer::Renderer::row
+/// [`Renderer::row`]: testkit::tracer::Renderer::row
 pub type Row<'a, R> = dyn Fn([u32; 2], Range<u32>, &mut [[R; 3]]) -> Counts + Sync + 'a;
 
 /// The sums of a region; `step` is called after each pass.

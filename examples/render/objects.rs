@@ -2,9 +2,9 @@
 
 use crate::render::description::{self as scene, Scene};
 use crate::render::values::Exponent;
-use crate::tracer::{Checker, Finish, Material, Plane, Sphere};
 use hemidisc::Frame;
 use hemidisc::arithmetic::{Arithmetic, Root};
+use testkit::tracer::{Checker, Finish, Material, Plane, Sphere};
 
 pub fn spheres<A: Root, G>(
     scene: &Scene,

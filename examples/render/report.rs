@@ -8,7 +8,7 @@
 use examples::Failure;
 use examples::render::effects::{Effect, Effects};
 use examples::render::frame::Frame;
-use examples::tracer::{Counts, Tally};
+use testkit::tracer::{Counts, Tally};
 
 /// The report on a frame; `render` renders others, to compare with.
 pub(crate) fn json(

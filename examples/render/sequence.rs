@@ -1,10 +1,10 @@
 //! The sequences that a picture can be rendered with, to compare their noise.
 
-use crate::tracer::{Owen, Points};
 use hemidisc::Domain;
 use hemidisc::sequence::{MultiJittered, Random, Sequence as _, Shuffled};
 use serde::{Deserialize, Serialize};
 use std::str::FromStr;
+use testkit::tracer::{Owen, Points};
 
 /// A sequence that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -45,7 +45,7 @@ impl Points for Drawn {
                 let [columns, rows] = self.grid;
                 let set = MultiJittered::new(columns, rows, domain.child(0).seed());
                 // Two effects' cells in the same order would be one set of cells.
-                Shuffled::new(set.expect("at most 2^16 samples"), domain).point(index)
+                Shuffled::new(set.expect("at most 2^16 samples"), domain).at(index)
             }
         }
     }

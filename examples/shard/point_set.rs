@@ -7,13 +7,14 @@ use crate::job::{Job, Work};
 use crate::number::{Encoding, encoding};
 use crate::set::{EXPONENT, SQUARE, Set};
 use examples::Failure;
+use hemidisc::map::Point;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{
     ArithmeticVisitor, MapVisitor, SequenceVisitor, arithmetics, maps, power_maps, sequences,
 };
 use hemidisc::map::Component;
 use hemidisc::sequence::{Sequence, Stored};
-use hemidisc::{FastF32, Map, Points, UnitSquare};
+use hemidisc::{FastF32, Map, Points, UnitSquare, Invert};
 use serde::{Deserialize, Serialize};
 use std::io::{self, Write};
 
@@ -54,7 +55,7 @@ impl<M: Map<Point: AsRef<[Component<M>]>>> Encode for Encoded<M> {
     fn encode(&self, coordinates: &[[u32; 2]], bytes: &mut Vec<u8>) {
         // There are none.
         let Ok(stored) = Stored::new(coordinates) else { return };
-        let mut points = vec![M::Point::default(); coordinates.len()];
+        let mut points = vec![M::Point::zero(); coordinates.len()];
         Points::new(stored, self.map).fill(&mut points);
         let (_, put) = self.encoding;
         points.iter().flat_map(AsRef::as_ref).for_each(|component| put(component, bytes));
@@ -131,13 +132,13 @@ struct Named<'a, R> {
 }
 
 impl<A: Arithmetic> MapVisitor<A> for Named<'_, A::Real> {
-    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
+    fn disc<M: Invert<Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
         if self.set.map.strip_prefix("disc-") == Some(name) {
             (self.run)(&Encoded { map, encoding: self.encoding });
         }
     }
 
-    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
+    fn hemisphere<M: Invert<Point = [A::Real; 3]>>(
         &mut self,
         name: &'static str,
         disc: &'static str,
@@ -172,7 +173,7 @@ impl Blocks<'_> {
         const BLOCK: usize = 4096;
         // The coordinates are the same whatever the map.
         let square = UnitSquare::<FastF32>::new();
-        let shard = Points::of_range(sequence, square, 0, self.set.count.get())
+        let shard = Points::with_range(sequence, square, ..self.set.count.get())
             .and_then(|all| all.shard(self.shard.into(), self.of.into()))
             .map_err(io::Error::other)?;
         let mut coordinates = shard.iter_coordinates();

@@ -10,9 +10,9 @@ use examples::render::frame::{Region, Settings};
 use examples::render::request::Request;
 use examples::render::sums::Sum;
 use examples::shard::cover;
-use hemidisc::invariant::Digest;
 use std::io::{self, Read, Write};
 use std::path::Path;
+use testkit::digest::Digest;
 
 /// A scene that is known to be good, and how it is to be rendered.
 pub(crate) struct Rendering {

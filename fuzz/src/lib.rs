@@ -1,9 +1,7 @@
-//! The checks of `tests/checks`, as fuzz targets.
-
-#[path = "../../tests/checks/mod.rs"]
-pub mod checks;
+//! The checks of `testkit::checks`, as fuzz targets.
 
 pub use libfuzzer_sys;
+pub use testkit::checks;
 
 /// A target that runs the check of a name; bytes that do not make an input stay out of the corpus.
 #[macro_export]

@@ -28,6 +28,8 @@ mod block;
 mod disc;
 mod functions;
 mod power;
+#[cfg(test)]
+mod tests;
 
 use super::{Arithmetic, DiscPoint, KernelOf, Root, sealed::Sealed};
 use crate::block::{Block, Lanes};

@@ -3,13 +3,13 @@
 //! The reference is the textbook's formula in f64 (`reference.rs`); for f64 it is the table of mpmath values.
 //! A bound that is twice the largest error found is stale and fails.
 
-use crate::arithmetics::{Exponent, Tested};
-use crate::errors::{EachMap, Errors, each_map, each_power_map, hard_coordinates};
-use crate::reference::reference;
-use hemidisc::Map;
-use hemidisc::arithmetic::contract::{CONTRACTS, contract};
+use hemidisc::Invert;
 use hemidisc::sequence::Random;
 use std::collections::HashMap;
+use testkit::arithmetics::{Exponent, Tested};
+use testkit::contract::{CONTRACTS, contract};
+use testkit::errors::{EachMap, Errors, each_map, each_power_map, hard_coordinates};
+use testkit::reference::reference;
 
 /// Collects the errors of every map by its kind.
 struct Measure<'a> {
@@ -19,7 +19,7 @@ struct Measure<'a> {
 }
 
 impl<A: Tested> EachMap<A> for Measure<'_> {
-    fn each<const D: usize, M: Map<Arithmetic = A, Point = [A::Real; D]>>(
+    fn each<const D: usize, M: Invert<Point = [A::Real; D]>>(
         &mut self,
         kind: &'static str,
         disc: &'static str,
@@ -29,7 +29,7 @@ impl<A: Tested> EachMap<A> for Measure<'_> {
         let total = self.found.entry(kind).or_default();
         for &uv in self.points {
             let e = self.exponent;
-            let errors = Errors::at(&map, uv, e, reference::<A>(kind, disc, e, uv), &contract);
+            let errors = Errors::at::<A, _>(&map, uv, e, reference::<A>(kind, disc, e, uv), &contract);
             let label = format!("{} {kind}/{disc} e = {} at {uv:08x?}", A::NAME, self.exponent);
             errors.assert_within(&contract, true, true, &label);
             total.include(errors);
@@ -112,4 +112,4 @@ fn holds_its_contract<A: Tested>() {
     }
 }
 
-each_arithmetic!(tests holds_its_contract);
+testkit::test_each_arithmetic!(holds_its_contract);

@@ -2,13 +2,13 @@
 //! the last coordinates, for exponents from -0.9 to 3e38, in every arithmetic. An arithmetic that reads 16
 //! bits of a coordinate has a table of its own.
 
-use crate::arithmetics::{Exponent, Number, Tested};
-use crate::errors::{EachMap, Errors, each_map, each_power_map};
-use crate::vectors::{Table, UNREAD, double, table};
-use hemidisc::arithmetic::contract::{CONTRACTS, contract};
 use hemidisc::invariant::{self, Exact};
-use hemidisc::{LibmF32, LibmF64, Map};
+use hemidisc::{LibmF32, Invert, LibmF64};
 use std::collections::{BTreeSet, HashMap};
+use testkit::arithmetics::{Exponent, Number, Tested};
+use testkit::contract::{CONTRACTS, contract};
+use testkit::errors::{EachMap, Errors, each_map, each_power_map};
+use testkit::vectors::{Table, UNREAD, double, table};
 
 /// Runs the cases of each map, with the exponent that the maps were made with.
 struct Check<'a> {
@@ -21,7 +21,7 @@ struct Check<'a> {
 }
 
 impl<A: Tested> EachMap<A> for Check<'_> {
-    fn each<const D: usize, M: Map<Arithmetic = A, Point = [A::Real; D]>>(
+    fn each<const D: usize, M: Invert<Point = [A::Real; D]>>(
         &mut self,
         kind: &'static str,
         disc: &'static str,
@@ -41,7 +41,7 @@ impl<A: Tested> EachMap<A> for Check<'_> {
             if !A::Real::FIXED && e < 0.0 {
                 expected = expected.with_z_from(A::Real::SMALLEST);
             }
-            let errors = Errors::at(&map, case.uv, e, expected, &contract);
+            let errors = Errors::at::<A, _>(&map, case.uv, e, expected, &contract);
             errors.assert_within(&contract, promised, e >= 0.0, &label);
             if promised {
                 self.found.entry(kind).or_default().include(errors);
@@ -93,7 +93,7 @@ fn is_within_its_contract<A: Tested>() {
     }
 }
 
-each_arithmetic!(tests is_within_its_contract);
+testkit::test_each_arithmetic!(is_within_its_contract);
 
 #[test]
 fn exponents_are_checked() {

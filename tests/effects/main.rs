@@ -80,7 +80,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 /// Mean and its standard error over a sequence.
 fn mean(sequence: impl Sequence, value: impl Fn([u32; 2]) -> f64) -> [f64; 2] {
-    let values: Vec<f64> = (0..COUNT).map(|i| value(sequence.point(i))).collect();
+    let values: Vec<f64> = (0..COUNT).map(|i| value(sequence.at(i))).collect();
     let n = f64::from(COUNT);
     let mean = values.iter().sum::<f64>() / n;
     let variance = values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0);

@@ -1,6 +1,8 @@
 //! The polygonal aperture as a map.
 
 use super::{COUNT, Float, assert_near, each_float, wide};
+use hemidisc::Invert;
+use hemidisc::Density;
 use hemidisc::Map;
 use hemidisc::effect::Polygon;
 use hemidisc::sequence::{Sequence, SobolOwen};

@@ -18,7 +18,7 @@ const LAST: u32 = u32::MAX - (BLOCK as u32 - 1);
 fn assert_access(sequence: impl Sequence, what: &str) {
     let starts = [0, 64, 128, 64 << 10, 1 << 31, (1 << 31) - 64, LAST - 64, LAST];
     for start in starts.into_iter().chain((0..20).map(|i| mix(i) & !63)) {
-        let expected: Vec<_> = (0..64).map(|i| sequence.point(start + i)).collect();
+        let expected: Vec<_> = (0..64).map(|i| sequence.at(start + i)).collect();
         let (mut u, mut v) = ([0; BLOCK], [0; BLOCK]);
         sequence.block(start, &mut u, &mut v);
         let block: Vec<_> = u.into_iter().zip(v).map(|(u, v)| [u, v]).collect();
@@ -29,10 +29,10 @@ fn assert_access(sequence: impl Sequence, what: &str) {
         }
     }
     let far: Vec<_> = sequence.iter(5).take(700).collect();
-    assert!(far.iter().zip(5..).all(|(&point, i)| point == sequence.point(i)), "{what}: iter");
+    assert!(far.iter().zip(5..).all(|(&point, i)| point == sequence.at(i)), "{what}: iter");
     if let Some(size) = sequence.size() {
         for i in (0..200).flat_map(|i| [i, u32::MAX - i, mix(i), size.wrapping_add(i)]) {
-            assert_eq!(sequence.point(i), sequence.point(i % size), "{what}: point {i} of {size}");
+            assert_eq!(sequence.at(i), sequence.at(i % size), "{what}: point {i} of {size}");
         }
     }
 }
@@ -40,7 +40,7 @@ fn assert_access(sequence: impl Sequence, what: &str) {
 /// After the last index comes the first.
 fn assert_wraps(sequence: impl Sequence, what: &str) {
     let wrapped: Vec<_> = sequence.iter(u32::MAX - 1).take(4).collect();
-    let expected = [u32::MAX - 1, u32::MAX, 0, 1].map(|i| sequence.point(i));
+    let expected = [u32::MAX - 1, u32::MAX, 0, 1].map(|i| sequence.at(i));
     assert_eq!(wrapped, expected, "{what}: iter over the last index");
 }
 
@@ -95,12 +95,12 @@ fn at_is_point() -> Result<(), Error> {
             let sequence = $sequence;
             for i in (0..1000).flat_map(|i| [i, u32::MAX - i, mix(i)]) {
                 let what = stringify!($sequence);
-                assert_eq!(sequence.at(i), Sequence::point(&sequence, i), "{what}, point {i}");
+                assert_eq!(sequence.at(i), Sequence::at(&sequence, i), "{what}, point {i}");
             }
         )*};
     }
     const TABLE: [u32; 2] = Sobol::new(7).at(3); // also at compile time
-    assert_eq!(Sobol::new(7).point(3), TABLE);
+    assert_eq!(Sobol::new(7).at(3), TABLE);
     let points = [[1, 2], [3, 4], [5, 6]];
     for seed in [0, 1, u32::MAX] {
         assert_at_is_point!(

@@ -2,13 +2,13 @@
 //! set and changes the order.
 
 use super::{nets::assert_net, permutation::assert_uniform};
-use crate::chi_square::assert_random;
 use hemidisc::{
     Domain, Error,
     bits::hash::mix,
     sequence::{MultiJittered, Regular, Sequence, Shuffled, Sobol, SobolOwen, Stored},
 };
 use std::collections::HashSet;
+use testkit::chi_square::assert_random;
 
 /// Cells of a 4 x 4 grid that the first `count` pairs of coordinates fill.
 fn filled(count: u32, pair: impl Fn(u32) -> [u32; 2]) -> u32 {
@@ -139,13 +139,13 @@ fn assert_shuffled(set: impl Sequence, what: &str) {
         let shuffled = Shuffled::new(set, domain);
         assert_eq!(shuffled.size(), Some(size), "{what}");
         assert_eq!(
-            sorted(&|i| shuffled.point(i)),
-            sorted(&|i| set.point(i)),
+            sorted(&|i| shuffled.at(i)),
+            sorted(&|i| set.at(i)),
             "{what}: other points"
         );
-        (0..size).map(|i| shuffled.point(i)).collect::<Vec<_>>()
+        (0..size).map(|i| shuffled.at(i)).collect::<Vec<_>>()
     });
-    let straight: Vec<_> = (0..size).map(|i| set.point(i)).collect();
+    let straight: Vec<_> = (0..size).map(|i| set.at(i)).collect();
     for (a, b) in [(&orders[0], &orders[1]), (&orders[0], &straight), (&orders[1], &straight)] {
         let same = a.iter().zip(b).filter(|(a, b)| a == b).count();
         assert!(same < 10 + size as usize / 4, "{what}: {same} of {size} stay");
@@ -164,7 +164,7 @@ fn a_shuffle_keeps_the_set() {
     let set = Regular::new(4, 4).unwrap();
     let mut counts = [0; 16];
     for key in 0..16_000 {
-        let [u, v] = Shuffled::new(set, Domain::new(1).child(key)).point(0);
+        let [u, v] = Shuffled::new(set, Domain::new(1).child(key)).at(0);
         counts[(u >> 30 << 2 | v >> 30) as usize] += 1;
     }
     assert_uniform(&counts, "first point of a shuffled grid");
@@ -179,7 +179,7 @@ fn a_shuffle_keeps_aligned_blocks() {
         for k in 0..=10_u32 {
             for start in [0, 1 << k, 7 << k, (u32::MAX >> k) << k] {
                 let mut block: Vec<_> =
-                    (0..1 << k).map(|i| index(shuffled.point(start + i))).collect();
+                    (0..1 << k).map(|i| index(shuffled.at(start + i))).collect();
                 block.sort_unstable();
                 let first = block[0];
                 assert_eq!(first % (1 << k), 0, "key {key}, 2^{k} from {start}");
@@ -188,7 +188,7 @@ fn a_shuffle_keeps_aligned_blocks() {
         }
     }
     let starts: HashSet<_> = (0..1000)
-        .map(|key| index(Shuffled::new(Sobol::new(0), Domain::new(key)).point(0)))
+        .map(|key| index(Shuffled::new(Sobol::new(0), Domain::new(key)).at(0)))
         .collect();
     assert_eq!(starts.len(), 1000, "orders of different domains start alike");
 }

@@ -14,8 +14,6 @@
 //! Stratum c of n holds the cells k with floor(k n / 2^32) = c.
 
 mod access;
-#[path = "../statistics/chi_square.rs"]
-mod chi_square;
 mod domains;
 mod errors;
 mod nets;

@@ -35,7 +35,7 @@ fn starts(m: u32) -> impl Iterator<Item = u32> {
 fn assert_nets(sequence: impl Sequence, what: &str) {
     for m in 0..=LARGEST {
         for start in starts(m) {
-            let points: Vec<_> = (0..1 << m).map(|i| sequence.point(start + i)).collect();
+            let points: Vec<_> = (0..1 << m).map(|i| sequence.at(start + i)).collect();
             assert_net(&points, &format!("{what}, {} from {start}", 1 << m));
         }
     }

@@ -1,11 +1,11 @@
 //! What has no strata: random points are uniform and uncorrelated, along indices and along seeds;
 //! R2 visits every cell of an axis once in 2^32 points, and its discrepancy is low for every N.
 
-use crate::chi_square::assert_random;
 use hemidisc::{
     bits::hash::mix,
     sequence::{R2, Random, Sobol},
 };
+use testkit::chi_square::assert_random;
 
 const COUNT: u32 = 1 << 16;
 const SEEDS: [u32; 8] = [0, 1, 2, 3, 0x8000_0000, 0x2000_0000, 0xdead_beef, u32::MAX];

@@ -5,8 +5,8 @@
 //! lengths to 100 need 8 to 10; all permutations 6 to 8 at length 3, 13 to 14 at length 8. A round
 //! leaves an element with probability 1/2, so r rounds leave len / 2^r more than chance does.
 
-use crate::chi_square::{assert_random, p_value};
 use hemidisc::bits::{hash::mix, permute::permute};
+use testkit::chi_square::{assert_random, p_value};
 
 /// Fails if the counts are too uneven. For tests of few cells, where evenness is no sign of a fault.
 pub(crate) fn assert_uniform(counts: &[u32], what: &str) {

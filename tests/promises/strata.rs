@@ -1,7 +1,6 @@
 //! The strata of the sets: the cells of a grid, and the columns and rows of rooks.
 
 use super::permutation::assert_uniform;
-use crate::chi_square::assert_random;
 use hemidisc::{
     bits::hash::mix,
     catalogue::grid,
@@ -12,6 +11,7 @@ use hemidisc::{
     },
 };
 use std::collections::{HashMap, HashSet};
+use testkit::chi_square::assert_random;
 
 const SEEDS: [u32; 6] = [0, 1, 7, 0x8000_0000, 0x2000_0000, u32::MAX];
 
@@ -34,7 +34,7 @@ pub(crate) fn assert_each_once(count: u32, hits: impl Iterator<Item = u32>, what
 }
 
 fn all(set: impl Sequence) -> Vec<[u32; 2]> {
-    (0..set.size().unwrap()).map(|i| set.point(i)).collect()
+    (0..set.size().unwrap()).map(|i| set.at(i)).collect()
 }
 
 /// One point in each cell of a grid; cell i holds point i where the order is row by row.

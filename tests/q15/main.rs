@@ -8,12 +8,13 @@
 
 mod rim;
 
-use hemidisc::arithmetic::{Arithmetic, FixedExponent, contract::contract};
+use hemidisc::arithmetic::{Arithmetic, FixedExponent};
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
-use hemidisc::{Map, Power, Q15, Q15Div};
+use hemidisc::{Invert, Map, Polar, Power, Q15, Q15Div};
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::LazyLock;
+use testkit::contract::contract;
 
 const ONE: f64 = 32_768.0;
 /// Cells of an axis.
@@ -178,10 +179,12 @@ fn radii(count: u32) -> Vec<u32> {
 }
 
 impl Sweep<'_> {
-    fn map<const D: usize, M>(&mut self, kind: &'static str, disc: &'static str, map: M)
-    where
-        M: Map<Point = [Q15; D]>,
-    {
+    fn map<A: Arithmetic, const D: usize>(
+        &mut self,
+        kind: &'static str,
+        disc: &'static str,
+        map: impl Map<Point = [Q15; D]>,
+    ) {
         if disc != self.over {
             return;
         }
@@ -191,7 +194,7 @@ impl Sweep<'_> {
         let directions: Vec<(f64, f64)> = (0..CELLS / 2)
             .map(|u| (TAU * (f64::from(u) + 0.5) / f64::from(CELLS)).sin_cos())
             .collect();
-        let label = format!("{} {kind} over {disc}", M::Arithmetic::NAME);
+        let label = format!("{} {kind} over {disc}", A::NAME);
         let label = if kind == "power" { format!("{label}, e = {exponent}") } else { label };
         let bar = BARS.add(ProgressBar::new(rows.len() as u64)).with_message(label.clone());
         bar.set_style(
@@ -214,7 +217,7 @@ impl Sweep<'_> {
             "{label}: {} points, 0 outside; position {:.3}, norm {:.3}, theta {:.3} LSB; {elapsed:.0?}",
             found.points, found.position, found.norm, found.theta
         );
-        let contract = contract(M::Arithmetic::NAME, kind).unwrap();
+        let contract = contract(A::NAME, kind).unwrap();
         for (name, error, bound) in [
             ("position", found.position, contract.position),
             ("norm", found.norm, contract.norm),
@@ -227,17 +230,17 @@ impl Sweep<'_> {
 }
 
 impl<A: Arithmetic<Real = Q15>> MapVisitor<A> for Sweep<'_> {
-    fn disc<M: Map<Arithmetic = A, Point = [Q15; 2]>>(&mut self, name: &'static str, map: M) {
-        self.map("disc", name, map);
+    fn disc<M: Invert<Point = [Q15; 2]>>(&mut self, name: &'static str, map: M) {
+        self.map::<A, _>("disc", name, map);
     }
 
-    fn hemisphere<M: Map<Arithmetic = A, Point = [Q15; 3]>>(
+    fn hemisphere<M: Invert<Point = [Q15; 3]>>(
         &mut self,
         lobe: &'static str,
         disc: &'static str,
         map: M,
     ) {
-        self.map(lobe, disc, map);
+        self.map::<A, _>(lobe, disc, map);
     }
 }
 
@@ -305,7 +308,7 @@ fn little_is_left_of_the_lobe_at_e_1e8() {
             }
         }
     }
-    let rim = Power::<Q15, _>::polar(exponent).unwrap().sample([0, u32::MAX]);
+    let rim = Power::over(exponent, Polar::<Q15>::new()).unwrap().sample([0, u32::MAX]);
     assert_eq!(rim, [Q15::from_bits(16), Q15::ZERO, Q15::MAX]);
     println!("e = 1e8: at most {largest} LSB from the pole, within {worst:.3} LSB");
     assert!(largest == 15 && worst > 0.49 && worst <= 0.51, "{largest}, {worst}");

@@ -3,7 +3,7 @@
 use super::{CELLS, MAGNITUDES};
 use hemidisc::arithmetic::{Arithmetic, FixedExponent};
 use hemidisc::catalogue::{MapVisitor, power_maps};
-use hemidisc::{Map, Q15, Q15Div};
+use hemidisc::{Invert, Q15, Q15Div};
 
 /// Where e is small sin theta is nearly 1 over a wide rim, and a unit too much leaves the disc. All rings from
 /// r = 0.95 or so on; a plain run takes the last 32 and a sample.
@@ -18,9 +18,9 @@ impl Rim {
 }
 
 impl<A: Arithmetic<Real = Q15>> MapVisitor<A> for Rim {
-    fn disc<M: Map<Arithmetic = A, Point = [Q15; 2]>>(&mut self, _: &'static str, _: M) {}
+    fn disc<M: Invert<Point = [Q15; 2]>>(&mut self, _: &'static str, _: M) {}
 
-    fn hemisphere<M: Map<Arithmetic = A, Point = [Q15; 3]>>(
+    fn hemisphere<M: Invert<Point = [Q15; 3]>>(
         &mut self,
         _: &'static str,
         disc: &'static str,

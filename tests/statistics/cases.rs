@@ -1,10 +1,10 @@
 //! The list of what is tested: the catalogue's maps, and power lobes, in each arithmetic, as
 //! functions of f64.
 
-use crate::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic, peak};
-use hemidisc::arithmetic::contract::{Contract, contract};
 use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, MapVisitor, maps, power_maps};
-use hemidisc::{Map, arithmetic::Arithmetic};
+use hemidisc::{Invert, arithmetic::Arithmetic};
+use testkit::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic, peak};
+use testkit::contract::{Contract, contract};
 
 /// Exponents of the power lobes; 0 is uniform and 1 cosine.
 const EXPONENTS: [f64; 5] = [0.0, 0.5, 1.0, 10.0, 1000.0];
@@ -60,7 +60,7 @@ fn scale<A: Arithmetic>(kind: &str, e: f64) -> f64 {
 }
 
 impl<A: Tested> MapVisitor<A> for Cases<'_> {
-    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
+    fn disc<M: Invert<Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
         let scale = scale::<A>("disc", 0.0);
         let stored = |x: f64| A::Real::nearest(x);
         (self.run)(&Case {
@@ -79,7 +79,7 @@ impl<A: Tested> MapVisitor<A> for Cases<'_> {
         });
     }
 
-    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
+    fn hemisphere<M: Invert<Point = [A::Real; 3]>>(
         &mut self,
         name: &'static str,
         disc: &'static str,

@@ -2,9 +2,9 @@
 //! uniform: r^2 on the disc, 1 - z^(e + 1) of a lobe of exponent e.
 
 use super::cases::{Case, every_case};
-use super::chi_square::{assert_random, statistic};
 use hemidisc::sequence::{Random, Sequence, SobolOwen};
 use std::f64::consts::TAU;
+use testkit::chi_square::{assert_random, statistic};
 
 const COUNT: u32 = 1 << 16;
 const SEEDS: [u32; 3] = [0, 1, 0xdead_beef];
@@ -34,7 +34,7 @@ fn z_tells(case: &Case) -> bool {
 fn counts(case: &Case, sequence: &impl Sequence) -> [[u32; 256]; 2] {
     let mut counts = [[0; 256]; 2];
     for i in 0..COUNT {
-        let point = (case.sample)(sequence.point(i));
+        let point = (case.sample)(sequence.at(i));
         let column = ((turn(point) * 16.0) as usize).min(15);
         for (counts, quantile) in counts.iter_mut().zip(quantiles(case, point)) {
             assert!((0.0..=1.0).contains(&quantile), "{}: {point:?}", case.name);

@@ -11,11 +11,7 @@
 //! Cells and integrals are worked in f64 from the formulas, not from the crate's code.
 #![cfg(feature = "libm")]
 
-#[macro_use]
-#[path = "../arithmetics/mod.rs"]
-mod arithmetics;
 mod cases;
 mod cells;
-mod chi_square;
 mod density;
 mod rejection;

@@ -1,13 +1,13 @@
 //! Rejection: the survivors are the candidates inside the disc, pi / 4 of them, uniform on it.
 
-use super::chi_square::{assert_random, statistic};
-use crate::arithmetics::Tested;
 use hemidisc::{
     LibmF32,
     disc::Rejection,
     sequence::{Random, Regular, Sequence, SobolOwen},
 };
 use std::f64::consts::{FRAC_PI_4, TAU};
+use testkit::arithmetics::Tested;
+use testkit::chi_square::{assert_random, statistic};
 
 const COUNT: u32 = 1 << 16;
 
@@ -41,14 +41,14 @@ fn survivors_are_uniform<A: Tested>() {
         // The last candidate of a limit is mapped wherever it lies, so every limit is uniform; 31
         // misses in a row do not happen, so with a limit of 32 all are survivors.
         for limit in [1, 2, 3, 32] {
-            let mut kept = Rejection::<A, _>::bounded(random.iter(0), limit).unwrap();
+            let mut kept = Rejection::<A, _>::with_limit(random.iter(0), limit).unwrap();
             let points = kept.by_ref().take(COUNT as usize);
             assert_random(&counts(points), &what(&format!("at most {limit} draws")));
             let lost = (1.0 - FRAC_PI_4).powi(limit as i32 - 1);
             let survivors = kept.kept() as f64 / f64::from(COUNT);
             assert!((survivors - (1.0 - lost)).abs() < 0.01, "{limit}: {survivors}");
         }
-        let mut kept = Rejection::<A, _>::of_draws(random.iter(0), COUNT);
+        let mut kept = Rejection::<A, _>::with_draws(random.iter(0), COUNT);
         assert_eq!(kept.by_ref().count() as u64, kept.kept());
         assert_eq!(kept.drawn(), u64::from(COUNT));
 
@@ -61,7 +61,7 @@ fn survivors_are_uniform<A: Tested>() {
     }
 }
 
-each_arithmetic!(tests survivors_are_uniform);
+testkit::test_each_arithmetic!(survivors_are_uniform);
 
 /// The exact count of centres of a grid inside the disc: (2c + 1 - m)^2 + (2r + 1 - m)^2 <= m^2.
 #[test]

@@ -2,11 +2,11 @@
 
 use super::target::Broken;
 use super::{SIZES, Target};
-use crate::panel::discs::{COUNT, DISCS, DOT, SEED, cells, disc, draw, pixel};
 use embedded_graphics::prelude::*;
 use hemidisc::sequence::{Correlated, Halton, Jittered, NRooks, Random, Sequence, SobolOwen};
 use hemidisc::{Concentric, Points, Q15};
 use std::collections::BTreeSet;
+use testkit::panel::discs::{COUNT, DISCS, DOT, SEED, cells, disc, draw, pixel};
 
 #[test]
 fn any_16_bits_are_in_the_disc_s_box() {
@@ -25,7 +25,7 @@ fn expected<S: Sequence>(size: [u32; 2], index: usize, sequence: S) -> BTreeSet<
     let disc = cells(Target::new(size).bounding_box()).nth(index).map(disc).unwrap();
     let (radius, [left, top]) = (f64::from(disc.diameter) / 2.0, disc.top_left.into());
     let count = if disc.diameter == 0 { 0 } else { COUNT as u32 };
-    let points = Points::new(sequence, Concentric::<Q15>::new()).first(count).unwrap();
+    let points = Points::new(sequence, Concentric::<Q15>::new()).take(count).unwrap();
     let pixels = points.iter().map(|point| {
         let [across, up] = point.map(|component| (radius * (1.0 + component.to_f64())).floor());
         // A pixel's centre is at most half a diagonal further out than the point.

@@ -2,11 +2,11 @@
 
 use super::target::Broken;
 use super::{SIZES, Target};
-use crate::panel::picture::{PASSES, draw};
-use crate::panel::scene::Objects;
-use crate::panel::srgb::encode;
 use core::ops::Range;
 use std::cell::RefCell;
+use testkit::panel::picture::{PASSES, draw};
+use testkit::panel::scene::Objects;
+use testkit::panel::srgb::encode;
 
 /// Light that tells the pixels of a panel apart, for the first of the samples alone.
 fn pattern([x, y]: [u32; 2], samples: Range<u32>, sums: &mut [[f32; 3]]) {

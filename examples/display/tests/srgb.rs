@@ -1,7 +1,7 @@
 //! Colours against sRGB's curve by its formula, in f64.
 
-use crate::panel::srgb::encode;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use testkit::panel::srgb::encode;
 
 fn curve(light: f64) -> f64 {
     if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }

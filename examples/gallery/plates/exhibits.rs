@@ -9,7 +9,7 @@ use crate::sets::Set;
 use examples::gallery::canvas::{
     Align, BLUE, Drawn, Frame, INK, NOTE, Panel, Sheet, VERMILION, plate,
 };
-use hemidisc::Square;
+use hemidisc::Coordinates;
 use std::error::Error;
 
 const SIDE: f64 = 300.0;
@@ -38,7 +38,7 @@ fn slide([x, y]: [f64; 2]) -> [f64; 2] {
 
 /// The lecture's formula on the unit square, as it is written.
 fn slide_unit(uv: [u32; 2]) -> [f64; 2] {
-    slide(Square(uv).to_f64())
+    slide(Coordinates(uv).to_f64())
 }
 
 /// The lecture's formula on [-1, 1]^2.

@@ -1,5 +1,6 @@
 //! The hemisphere: 256 directions for each exponent, over both disc maps, from above and the side.
 
+use hemidisc::Polar;
 use super::title;
 use crate::dome::{SIDE, TOP};
 use crate::sets::{EXPONENTS, OnHemisphere, Set};
@@ -37,7 +38,7 @@ pub(crate) fn draw(set: &Set) -> Result<String, Box<dyn Error>> {
                     let y = HEAD + ROW * f64::from(row);
                     match disc {
                         "polar" => {
-                            one(sheet, [x, y], lobe, Power::<LibmF64, _>::polar(exponent.into())?)?
+                            one(sheet, [x, y], lobe, Power::over(exponent.into(), Polar::<LibmF64>::new())?)?
                         }
                         _ => one(sheet, [x, y], lobe, Power::<LibmF64>::new(exponent.into())?)?,
                     }

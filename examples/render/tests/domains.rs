@@ -1,10 +1,10 @@
 //! Where the points of a sample come from.
 
-use examples::tracer::{Camera, Finish, Material, Plane, Points, Renderer, Sky, Sphere};
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, ThinLens};
 use hemidisc::{Concentric, Domain, Frame, LibmF64};
 use std::cell::RefCell;
 use std::collections::HashSet;
+use testkit::tracer::{Camera, Finish, Material, Plane, Points, Renderer, Sky, Sphere};
 
 /// Notes the domains that it is asked for.
 #[derive(Default)]

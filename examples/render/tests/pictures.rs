@@ -8,8 +8,8 @@ use examples::render::file;
 use examples::render::frame::{Region, Row, Settings};
 use examples::render::sums::Sum;
 use examples::render::values::{Angle, Point};
-use examples::tracer::Counts;
 use hemidisc::LibmF32;
+use testkit::tracer::Counts;
 
 /// Calls a function with the rows of the still life.
 fn with_still_life(mut run: impl FnMut(&Row<'_, f32>)) {

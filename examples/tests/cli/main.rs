@@ -1,18 +1,13 @@
 //! The command line of the example `points`, which other programs rely on: run as they run it.
 
 mod arguments;
-#[macro_use]
-#[path = "../../../tests/arithmetics/mod.rs"]
-mod arithmetics;
 mod coordinates;
 mod maps;
-#[path = "../../../tests/programs/mod.rs"]
-mod programs;
 
-use hemidisc::sequence::{Random, Sequence};
-use programs::program;
+use hemidisc::sequence::Random;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, Command, Stdio};
+use testkit::programs::program;
 
 /// What a run has left.
 #[derive(Debug)]
@@ -128,5 +123,5 @@ fn hard_pairs() -> Vec<[u32; 2]> {
     let near = folds.flat_map(|fold| [fold.wrapping_sub(1), fold, fold.wrapping_add(1)]);
     let near: Vec<_> = near.collect();
     let all = near.iter().flat_map(|u| near.iter().map(|v| [*u, *v]));
-    all.chain((0..2000).map(|index| Random::new(7).point(index))).collect()
+    all.chain((0..2000).map(|index| Random::new(7).at(index))).collect()
 }

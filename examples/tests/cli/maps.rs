@@ -1,10 +1,9 @@
 //! What is printed of each point: the crate's own bits, exact decimals, inverses, rejection.
 
-use super::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic};
 use super::{hard_pairs, hex, hexes, pair, points, points_of, same, square};
-use hemidisc::Map;
-use hemidisc::arithmetic::Arithmetic;
+use hemidisc::Invert;
 use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, MapVisitor, SEQUENCES, maps, power_maps};
+use testkit::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic};
 
 /// The maps of the command line with what they need; those that keep every point.
 const MAPS: [&str; 10] = [
@@ -28,19 +27,19 @@ struct SameBits {
 }
 
 impl SameBits {
-    fn check<M: Map<Arithmetic: Tested>>(&mut self, name: &str, map: M)
-    where
-        M::Point: AsRef<[<M::Arithmetic as Arithmetic>::Real]>,
-    {
-        let arguments = format!("--map {name} --arithmetic {}", M::Arithmetic::NAME);
+    fn check<A: Tested, const D: usize>(
+        &mut self,
+        name: &str,
+        map: impl Invert<Point = [A::Real; D]>,
+    ) {
+        let arguments = format!("--map {name} --arithmetic {}", A::NAME);
         let rows = self.pairs.iter().map(|uv| {
             let point = map.sample(*uv);
-            let components: Vec<_> = point.as_ref().iter().map(|number| number.raw()).collect();
+            let components: Vec<_> = point.iter().map(|number| number.raw()).collect();
             [components.join(","), map.density(point).raw(), hex(&map.invert(point))]
         });
         let rows: Vec<_> = rows.collect();
-        let three = size_of::<M::Point>() == 3 * size_of_val(&map.density(M::Point::default()));
-        let columns = if three { "x,y,z" } else { "x,y" };
+        let columns = if D == 3 { "x,y,z" } else { "x,y" };
         let compare = |more: &str, header: &str, row: &dyn Fn(&[String; 3]) -> String| {
             let arguments = format!("{arguments} --raw {more}");
             let (printed, actual) = points_of(&self.pairs, &arguments).quiet();
@@ -60,21 +59,21 @@ impl SameBits {
 }
 
 impl<A: Tested> MapVisitor<A> for SameBits {
-    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
-        self.check(&format!("disc-{name}"), map);
+    fn disc<M: Invert<Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
+        self.check::<A, _>(&format!("disc-{name}"), map);
     }
 
-    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
+    fn hemisphere<M: Invert<Point = [A::Real; 3]>>(
         &mut self,
         name: &'static str,
         disc: &'static str,
         map: M,
     ) {
         let power = if name == "power" { self.power } else { "" };
-        self.check(&format!("hemisphere-{name} --disc {disc}{power}"), map);
+        self.check::<A, _>(&format!("hemisphere-{name} --disc {disc}{power}"), map);
         if disc == "concentric" {
             // The default.
-            self.check(&format!("hemisphere-{name}{power}"), map);
+            self.check::<A, _>(&format!("hemisphere-{name}{power}"), map);
         }
     }
 }
@@ -86,7 +85,7 @@ fn prints_the_bits_of_the_crate<A: Tested>() {
     assert_eq!(check.maps, 11);
 }
 
-each_arithmetic!(tests prints_the_bits_of_the_crate);
+testkit::test_each_arithmetic!(prints_the_bits_of_the_crate);
 
 #[test]
 fn the_default_arithmetic_is_libm_f32() {

@@ -1,11 +1,12 @@
 //! A shard's process that dies is named, and the others do not go on for nothing.
 #![cfg(target_os = "linux")]
 
-use super::{folder, holds, programs};
+use super::{folder, holds};
 use std::fs;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
+use testkit::programs;
 
 /// A process that a thread of another has started, and the shard that its arguments name.
 fn child(of: u32) -> Option<(u32, String)> {

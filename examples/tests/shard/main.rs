@@ -1,20 +1,16 @@
 //! Shards together are the whole, byte for byte: the example `shard`, run as its users run it.
 
-#[macro_use]
-#[path = "../../../tests/arithmetics/mod.rs"]
-mod arithmetics;
 mod dying;
 mod frames;
 mod page;
 mod parts;
 mod points;
-#[path = "../../../tests/programs/mod.rs"]
-mod programs;
 mod ranges;
 
 use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
+use testkit::programs;
 
 fn folder() -> TempDir {
     tempfile::tempdir().expect("a folder")

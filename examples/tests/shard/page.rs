@@ -1,8 +1,9 @@
 //! The commands of `docs/growing.md` do what the page says, `cmp` included.
 #![cfg(unix)]
 
-use super::{folder, programs};
+use super::folder;
 use std::process::Command;
+use testkit::programs;
 
 #[test]
 fn the_commands_of_the_page_run() {

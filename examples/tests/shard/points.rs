@@ -1,12 +1,10 @@
 //! Points: the bytes of shards are those of the library's own loop.
 
-use super::arithmetics::{Exponent, Number, Tested};
 use super::{folder, holds, made, parts};
-use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{MapVisitor, SequenceVisitor, maps, power_maps, sequences};
-use hemidisc::map::Component;
 use hemidisc::sequence::{Sequence, SobolOwen};
-use hemidisc::{Concentric, FastF32, Map, Points};
+use hemidisc::{Concentric, FastF32, Map, Points, Invert};
+use testkit::arithmetics::{Exponent, Number, Tested};
 
 /// A component's bits from their text, little-endian.
 fn bytes_of<N: Number>(number: N) -> Vec<u8> {
@@ -19,16 +17,13 @@ fn bytes_of<N: Number>(number: N) -> Vec<u8> {
 }
 
 /// The points one by one.
-fn plain<S: Sequence, M: Map<Point: AsRef<[Component<M>]>>>(
-    sequence: S,
-    map: M,
+fn plain<N: Number, const D: usize>(
+    sequence: impl Sequence,
+    map: impl Map<Point = [N; D]>,
     count: u32,
-) -> Vec<u8>
-where
-    Component<M>: Number,
-{
-    let points = Points::of_range(sequence, map, 0, count).unwrap();
-    points.iter().flat_map(|point| point.as_ref().to_vec()).flat_map(bytes_of).collect()
+) -> Vec<u8> {
+    let points = Points::with_range(sequence, map, ..count).unwrap();
+    points.iter().flatten().flat_map(bytes_of).collect()
 }
 
 struct EachSequence;
@@ -82,17 +77,17 @@ struct EachMap {
 }
 
 impl EachMap {
-    fn check<M: Map<Arithmetic: Tested, Point: AsRef<[Component<M>]>>>(
+    fn check<A: Tested, const D: usize>(
         &mut self,
         name: &str,
-        map: M,
+        map: impl Map<Point = [A::Real; D]>,
     ) {
         let folder = folder();
         let expected = plain(SobolOwen::new(3), map, 70);
         let arguments = format!(
             "points --sequence sobol-owen --seed 3 --count 70 --map {name} --arithmetic {} \
              --shards 3",
-            M::Arithmetic::NAME
+            A::NAME
         );
         assert!(made(folder.path(), &arguments) == expected, "{arguments}");
         self.maps += 1;
@@ -100,17 +95,17 @@ impl EachMap {
 }
 
 impl<A: Tested> MapVisitor<A> for EachMap {
-    fn disc<M: Map<Arithmetic = A, Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
-        self.check(&format!("disc-{name}"), map);
+    fn disc<M: Invert<Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
+        self.check::<A, _>(&format!("disc-{name}"), map);
     }
 
-    fn hemisphere<M: Map<Arithmetic = A, Point = [A::Real; 3]>>(
+    fn hemisphere<M: Invert<Point = [A::Real; 3]>>(
         &mut self,
         name: &'static str,
         disc: &'static str,
         map: M,
     ) {
-        self.check(&format!("hemisphere-{name} --disc {disc}{}", self.power), map);
+        self.check::<A, _>(&format!("hemisphere-{name} --disc {disc}{}", self.power), map);
     }
 }
 
@@ -122,7 +117,7 @@ fn shards_of_every_map_are_the_whole<A: Tested>() {
     assert_eq!(check.maps, 8);
 }
 
-each_arithmetic!(tests shards_of_every_map_are_the_whole);
+testkit::test_each_arithmetic!(shards_of_every_map_are_the_whole);
 
 #[test]
 fn the_square_is_its_coordinates() {

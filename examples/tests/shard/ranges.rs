@@ -1,20 +1,20 @@
 //! Ranges of shards, and what makes up the whole.
 
 use examples::shard::cover::{Piece, order, range};
-use hemidisc::sequence::{R2, Sequence};
+use hemidisc::sequence::R2;
 use hemidisc::{FastF32, Points, UnitSquare};
 
 #[test]
 fn ranges_are_those_of_points() {
     for (len, of) in [(1, 1), (5, 2), (10, 3), (5, 7), (64, 65_535), (u32::MAX, 7)] {
-        let all = Points::of_range(R2::new(0), UnitSquare::<FastF32>::new(), 0, len).unwrap();
+        let all = Points::with_range(R2::new(0), UnitSquare::<FastF32>::new(), ..len).unwrap();
         let mut next = 0;
         for shard in (0..of).step_by(usize::from(of / 50).max(1)) {
             let range = range(len, shard, of);
             let points = all.shard(shard.into(), of.into()).unwrap();
             assert_eq!(range.len() as u64, u64::from(points.len()), "shard {shard} of {of}");
             assert!(
-                range.is_empty() || points.coordinates(0) == Some(R2::new(0).point(range.start))
+                range.is_empty() || points.coordinates(0) == Some(R2::new(0).at(range.start))
             );
             assert!(range.start >= next && range.end <= len);
             next = range.end;

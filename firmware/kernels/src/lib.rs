@@ -15,22 +15,12 @@
 //! | `loop/empty`, `loop/copy` | the loop alone; the loop with its loads and stores |
 #![no_std]
 
-#[path = "../../../tests/golden/bare.rs"]
-mod bare;
 mod effects;
 mod loops;
 mod maps;
 mod peers;
 mod render;
-#[path = "../../../tests/golden/render.rs"]
-#[expect(dead_code, reason = "the tests take digests")]
-mod scenes;
 mod sequences;
-#[path = "../../../benches/throughput/textbook.rs"]
-mod textbook;
-#[path = "../../../examples/render/tracer/mod.rs"]
-#[expect(dead_code, unused_imports, reason = "the example counts and reflects in more ways")]
-mod tracer;
 
 use bytemuck::Pod;
 

@@ -2,12 +2,12 @@
 //! sines of `idsp` and `cordic`.
 
 use crate::Visitor;
-use crate::textbook::{
+use fixed::types::{I3F13, I3F29};
+use micromath::F32Ext;
+use testkit::textbook::{
     Functions, pbrt_concentric, pbrt_cosine, pbrt_polar, pbrt_uniform, suffern_concentric,
     suffern_power, unit,
 };
-use fixed::types::{I3F13, I3F29};
-use micromath::F32Ext;
 
 struct Libm;
 impl Functions for Libm {

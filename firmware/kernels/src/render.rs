@@ -2,12 +2,12 @@
 //! cost in instructions and in flash where they are, and that they cost nothing where they are not.
 
 use crate::Visitor;
-use crate::bare;
-use crate::scenes::{self, Visitor as SceneVisitor};
-use crate::tracer::{Ambient, Lens, Light, Points, Reflection, Renderer};
 use core::hint::black_box;
 use hemidisc::arithmetic::Root;
 use hemidisc::{FastF32, MicromathF32};
+use testkit::golden::bare;
+use testkit::golden::render::{self as scenes, Visitor as SceneVisitor};
+use testkit::tracer::{Ambient, Lens, Light, Points, Reflection, Renderer};
 
 /// Takes four rows of 64 pixels, across sky, balls and table.
 struct Rows<'a>(&'a mut [[f32; 3]]);

@@ -4,8 +4,4 @@
 //! `panel::picture::draw`, as the example has its simulator.
 #![no_std]
 
-#[path = "../../../examples/display/panel/mod.rs"]
-pub mod panel;
-#[path = "../../../examples/render/tracer/mod.rs"]
-#[expect(dead_code, unused_imports, reason = "`render` counts, and does without effects")]
-mod tracer;
+pub use testkit::panel;

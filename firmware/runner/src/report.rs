@@ -151,7 +151,7 @@ impl Report {
             let has = |record: &&Record| {
                 record.kind == "map" && record.arithmetic.as_deref() == Some(name)
             };
-            // Square, rejection, and four maps over two disc maps, on four cores.
+            // Coordinates, rejection, and four maps over two disc maps, on four cores.
             let maps = self.records.iter().filter(has).count();
             ensure!(maps >= 10 * 4, "{name}: {maps} of 40 maps are counted");
         }

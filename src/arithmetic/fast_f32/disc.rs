@@ -185,8 +185,8 @@ pub(super) const fn polar<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDisc {
 
 impl FastDisc {
     /// The point at r and phi = pi/4 t.
-    #[inline(always)]
-    pub(super) const fn octant<const BRANCHES: bool>(r: f32, t: f32) -> [f32; 2] {
+    #[cfg(test)]
+    pub(super) const fn at_fraction<const BRANCHES: bool>(r: f32, t: f32) -> [f32; 2] {
         let place = Place { swap: 0, signs: [0; 2] };
         place.put::<BRANCHES>([r, r * t], gaps(t * t), at_rim(r))
     }

@@ -48,6 +48,8 @@ pub trait Real:
     fn with_sign(self, sign: Self) -> Self;
     /// Whether it is neither infinite nor NaN.
     fn finite(self) -> bool;
+    /// The largest integer that is not above it, between 0 and 2^32 - 1; 0 for NaN.
+    fn floor_u32(self) -> u32;
 }
 
 /// What the kernels need besides.
@@ -103,6 +105,10 @@ macro_rules! real {
             #[inline(always)]
             fn finite(self) -> bool {
                 self.is_finite()
+            }
+            #[inline(always)]
+            fn floor_u32(self) -> u32 {
+                self as u32
             }
         }
 

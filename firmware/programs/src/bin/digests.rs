@@ -2,13 +2,11 @@
 #![no_std]
 #![no_main]
 
-#[path = "../../../../tests/golden/lines.rs"]
-mod lines;
-
 use board::{end, println};
 use hemidisc::arithmetic::Arithmetic;
-use hemidisc::invariant::Digestible;
 use hemidisc::{Error, FastF32, LibmF32, LibmF64, MicromathF32, Q15, Q15Div, Q31};
+use testkit::digest::Digestible;
+use testkit::golden::lines;
 
 fn file<A: Arithmetic<Real: Digestible>>() -> Result<(), Error> {
     println!("file {}", A::NAME);

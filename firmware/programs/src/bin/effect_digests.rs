@@ -2,19 +2,9 @@
 #![no_std]
 #![no_main]
 
-#[path = "../../../../tests/golden/bare.rs"]
-#[expect(dead_code, reason = "the tests and counts render with it")]
-mod bare;
-#[path = "../../../../tests/golden/effects.rs"]
-mod effects;
-#[path = "../../../../tests/golden/render.rs"]
-mod render;
-#[path = "../../../../examples/render/tracer/mod.rs"]
-#[expect(dead_code, unused_imports, reason = "the example counts and reflects in more ways")]
-mod tracer;
-
 use board::{end, println};
 use hemidisc::{Error, FastF32, LibmF32, LibmF64, MicromathF32};
+use testkit::golden::{effects, render};
 
 fn files() -> Result<(), Error> {
     println!("file effects");

@@ -1,0 +1,139 @@
+//! The disc light: from near, from far, grazing, from behind, of radius 0, and with numbers that
+//! are none.
+
+use super::super::convert::assert_clear;
+use super::super::roots::{eps, nearest, smallest, wide};
+use super::{Input, all_finite, frame};
+use crate::arithmetics::Tested;
+use crate::contract::contract;
+use crate::orthonormal::dot;
+use hemidisc::Error;
+use hemidisc::arithmetic::{Real, Root};
+use hemidisc::effect::{DiscLight, LightSample};
+use hemidisc::invariant::Exact;
+
+pub fn check<A: Root<Real: Real> + Tested>(input: &Input) {
+    let [radius] = nearest::<A, 1>([input.radius]);
+    let centre = nearest::<A, 3>(input.centre);
+    let area_is_finite = (radius * radius / A::Real::FRAC_1_PI).finite();
+    let radius_is_good = radius >= A::Real::ZERO && radius.finite() && area_is_finite;
+    match DiscLight::<A>::new(centre, frame::<A>(input.normal), radius) {
+        Ok(light) => {
+            assert!(radius_is_good && all_finite(centre), "{centre:?} {radius:?}");
+            samples(light, input);
+        }
+        Err(error) => {
+            assert_clear(&error);
+            match error {
+                Error::Radius { value } => {
+                    assert!(!radius_is_good && value.to_bits() == wide([radius])[0].to_bits());
+                }
+                Error::Position { value } => {
+                    let [limit] = wide([A::Real::MAX]);
+                    let near = |x: f64| x.abs() / 2.0 + wide([radius])[0] <= limit / 2.0;
+                    let first = wide(centre).into_iter().find(|x| !near(*x)).map(f64::to_bits);
+                    assert_eq!(first, Some(value.to_bits()), "{centre:?} {radius:?}");
+                }
+                other => panic!("{other}"),
+            }
+        }
+    }
+}
+
+fn samples<A: Root<Real: Real> + Tested>(light: DiscLight<A>, input: &Input) {
+    let receiver = nearest::<A, 3>(input.receiver);
+    if !all_finite(receiver) {
+        let sample = light.sample(receiver, input.uv);
+        assert_eq!(wide([sample.weight, sample.density]), [0.0; 2], "{input:x?}");
+        return;
+    }
+    let two_sided = light.two_sided();
+    for light in [light, two_sided] {
+        let sample = light.sample(receiver, input.uv);
+        let what = || format!("{} {input:x?}: {sample:?}", A::NAME);
+        is_sound::<A>(&light, sample, input, &what);
+        is_exact::<A>(sample, input, &what);
+        let found: f64 = light.density(receiver, sample.direction).exact();
+        assert!(found >= 0.0 && found.is_finite(), "{}: {found:e}", what());
+    }
+    let [one, both] = [light, two_sided].map(|light| light.sample(receiver, input.uv));
+    if one.weight > A::Real::ZERO {
+        assert_eq!(one, both, "{input:x?}");
+    }
+    if input.radius == 0.0 {
+        assert_eq!(one, light.sample(receiver, input.other), "{input:x?}");
+    }
+    // Whatever the direction, there is a number.
+    let anything = nearest::<A, 3>(input.arriving);
+    for light in [light, two_sided] {
+        let found: f64 = light.density(receiver, anything).exact();
+        assert!(found >= 0.0 && found.is_finite(), "{input:x?}: {found:e}");
+    }
+}
+
+/// Numbers, of the right sign, and together zero or not.
+fn is_sound<A: Root<Real: Real> + Tested>(
+    light: &DiscLight<A>,
+    sample: LightSample<A::Real>,
+    input: &Input,
+    what: &impl Fn() -> String,
+) {
+    let [weight, density, distance] = wide([sample.weight, sample.density, sample.distance]);
+    assert!(all_finite([weight, density, distance]), "{}", what());
+    assert!(weight >= 0.0 && density >= 0.0 && distance >= 0.0, "{}", what());
+    assert_eq!(density > 0.0, weight > 0.0, "{}", what());
+    assert!(all_finite(sample.direction), "{}", what());
+    let length = dot(sample.direction, sample.direction);
+    assert!((length - 1.0).abs() <= 32.0 * A::DENSITY_ERROR, "{}: {length}", what());
+    assert!(all_finite([light.area(), light.area_density()]), "{}", what());
+    assert!(all_finite(sample.point), "{}", what());
+    let [radius] = wide(nearest::<A, 1>([input.radius]));
+    let centre = wide(nearest::<A, 3>(input.centre));
+    let from_centre = [0, 1, 2].map(|i| wide(sample.point)[i] - centre[i]);
+    let largest = centre.into_iter().fold(radius, |a, b| a.max(b.abs()));
+    let room = 32.0 * eps::<A::Real>() * largest + 4.0 * smallest::<A::Real>();
+    let away = from_centre.into_iter().fold(0.0_f64, |a, b| a.hypot(b));
+    assert!(away <= radius + room, "{}: {away:e} from the centre", what());
+}
+
+/// cos t / d^2 of the point that was given, where neither leaves the range of normal numbers.
+fn is_exact<A: Root<Real: Real> + Tested>(
+    sample: LightSample<A::Real>,
+    input: &Input,
+    what: &impl Fn() -> String,
+) {
+    let to_light = wide([0, 1, 2].map(|i| sample.point[i] - nearest::<A, 3>(input.receiver)[i]));
+    let square = dot(to_light, to_light);
+    let [_, _, normal] = frame::<A>(input.normal).axes();
+    let [smallest, largest] = wide([A::Real::MIN_POSITIVE, A::Real::MAX]);
+    // Squares of components that are subnormal have lost digits.
+    if !(square > smallest / A::DENSITY_ERROR && square < largest * 0.25) {
+        return;
+    }
+    let cosine = -dot(to_light, wide(normal)) / square.sqrt();
+    // The light's plane is as thick as coordinates round.
+    let [centre, receiver] = [input.centre, input.receiver].map(|v| wide(nearest::<A, 3>(v)));
+    let sizes = [centre, receiver].map(|v| dot(v.map(f64::abs), wide(normal).map(f64::abs)));
+    let [radius] = wide(nearest::<A, 1>([input.radius]));
+    // A point of it is as far off as its own coordinates round.
+    let size = sizes[0] + sizes[1] + radius;
+    let thick = 16.0 * eps::<A::Real>() * size / square.sqrt();
+    let [weight] = wide([sample.weight]);
+    let exact = if weight > 0.0 { cosine.abs() } else { cosine.min(0.0) } / square;
+    let room = (16.0 * A::DENSITY_ERROR + thick) / square + smallest;
+    // From behind, or in its plane, the weight is 0; a light to both sides has one there.
+    if weight > 0.0 {
+        assert!((weight - exact).abs() <= room, "{}: {exact:e}", what());
+    } else {
+        assert!(cosine / square <= room, "{}: {cosine:e}", what());
+    }
+    let distance: f64 = sample.distance.exact();
+    assert!((distance - square.sqrt()).abs() <= 8.0 * A::DENSITY_ERROR * distance, "{}", what());
+    let [area] = wide(nearest::<A, 1>([input.radius])).map(|r| r * r * core::f64::consts::PI);
+    let density = 1.0 / (area * weight);
+    if weight > 0.0 && density > smallest && density < largest * 0.5 && area > smallest {
+        let [found] = wide([sample.density]);
+        let unit = contract(A::NAME, "uniform").unwrap().unit;
+        assert!((found / density - 1.0).abs() <= 16.0 * unit, "{}: density {density:e}", what());
+    }
+}

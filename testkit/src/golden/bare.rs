@@ -1,0 +1,86 @@
+//! A renderer that never had an effect: a pinhole, a light at a point, plain ambient light and
+//! mirrors.
+//!
+//! What a [`Renderer`] without effects is compared with: bit for bit on the host, in instructions
+//! and bytes of flash on the boards. Where rays end is none of an effect's business, and the same
+//! code.
+
+use crate::tracer::{
+    Finish, Hit, Mirror, Pinhole, PointLight, Points, Ray, Renderer, Unoccluded, Vector,
+};
+use core::ops::Range;
+use hemidisc::Domain;
+use hemidisc::arithmetic::{Real, Root};
+
+/// A scene without an effect.
+pub type Scene<'a, A, P> = Renderer<'a, A, Pinhole, PointLight<A>, Unoccluded, Mirror, P>;
+
+/// As [`Renderer::row`].
+pub fn row<A: Root>(
+    scene: &Scene<'_, A, impl Points>,
+    [x, y]: [u32; 2],
+    samples: Range<u32>,
+    sums: &mut [Vector<A>],
+) {
+    for (x, pixel) in (x..).zip(sums) {
+        let filter = Domain::new(scene.seed).pixel(x, y).child(0);
+        for index in samples.clone() {
+            let within = A::square(scene.points.point(filter, index));
+            let [ahead_x, ahead_y] = scene.camera.image_point([x, y], within);
+            let ray = scene.camera.ray([A::Real::ZERO; 3], [ahead_x, ahead_y, A::Real::ONE]);
+            let seen = radiance(scene, &ray);
+            *pixel = core::array::from_fn(|i| pixel[i] + seen[i]);
+        }
+    }
+}
+
+fn radiance<A: Root>(scene: &Scene<'_, A, impl Points>, ray: &Ray<A>) -> Vector<A> {
+    let Some(hit) = scene.nearest(ray) else { return scene.sky.along(ray.direction) };
+    let own = lit(scene, &hit);
+    let (Finish::Mirror(reflectance) | Finish::Glossy(reflectance, Mirror)) = hit.material.finish
+    else {
+        return own;
+    };
+    let height = dot(ray.direction, hit.normal);
+    let mirrored = core::array::from_fn(|i| ray.direction[i] + -(height + height) * hit.normal[i]);
+    let ray = hit.leaving(mirrored);
+    let seen = match scene.nearest(&ray) {
+        Some(hit) => lit(scene, &hit),
+        None => scene.sky.along(ray.direction),
+    };
+    core::array::from_fn(|i| own[i] + reflectance[i] * seen[i])
+}
+
+fn lit<A: Root>(scene: &Scene<'_, A, impl Points>, hit: &Hit<'_, A, Mirror>) -> Vector<A> {
+    let light = &scene.light;
+    let to_light: Vector<A> = core::array::from_fn(|i| light.position[i] - hit.point[i]);
+    let square = dot(to_light, to_light);
+    let mut share = A::Real::ZERO;
+    if square >= A::Real::MIN_POSITIVE && square.finite() {
+        let distance = A::sqrt(square);
+        let direction = to_light.map(|component| component / distance);
+        let away: Vector<A> = core::array::from_fn(|i| hit.point[i] + -light.position[i]);
+        let height = dot(away, light.normal);
+        let size_of = |point: [A::Real; 3]| {
+            dot(point.map(Real::magnitude), light.normal.map(Real::magnitude))
+        };
+        let size = size_of(light.position) + size_of(hit.point);
+        let rounding = size * A::Real::EPSILON * A::Real::FOUR;
+        let cosine = if height.magnitude() > rounding { height / distance } else { A::Real::ZERO };
+        if cosine > A::Real::ZERO || light.two_sided {
+            let facing = cosine.magnitude() / square * dot(direction, hit.normal);
+            let visible = facing * A::Real::FRAC_1_PI;
+            if visible > A::Real::ZERO && scene.meets(&hit.leaving(direction), distance).is_none() {
+                share = visible;
+            }
+        }
+    }
+    core::array::from_fn(|i| {
+        let arriving = share * scene.intensity[i] + scene.ambient[i];
+        hit.material.emission[i] + hit.albedo[i] * arriving
+    })
+}
+
+fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
