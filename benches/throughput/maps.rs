@@ -1,7 +1,7 @@
 //! Every map of every arithmetic, from stored coordinates.
 
-use crate::Failure;
-use crate::fills::{Coordinates, Visitor, candidates, filler};
+use crate::buffers::{Coordinates, Visitor, candidates, filler};
+use crate::failure::Failure;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{self, ArithmeticVisitor, MapVisitor};
 use hemidisc::disc::Rejection;

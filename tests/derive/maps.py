@@ -167,7 +167,7 @@ def table(width, coordinates, exponents):
 
 
 def main():
-    vectors = Path(__file__).parent.parent / "vectors"
+    vectors = Path(__file__).parents[2] / "testkit" / "vectors"
     for name, *of in (
         ("maps.csv", 32, coordinates_32(), EXPONENTS),
         ("maps_16.csv", 16, coordinates_16(), EXPONENTS_16),
