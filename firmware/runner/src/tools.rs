@@ -95,7 +95,8 @@ pub fn build_library() -> Result<()> {
         for features in ["", "libm", "libm,micromath,fixed-point,bytemuck,heapless,rand_core,rand"]
         {
             let (mut cargo, extra) = cargo(core.target)?;
-            cargo.current_dir(root()).args(["build", "--quiet", "--release", "--locked", "--lib"]);
+            cargo.current_dir(root()).args(["build", "--quiet", "--release", "--locked"]);
+            cargo.args(["--package", "hemidisc", "--lib"]);
             cargo.args(extra).args(["--target", core.target, "--target-dir", "target/bare-metal"]);
             output(cargo.args(["--no-default-features", "--features", features]))?;
             println!("{} with features [{features}]: built", core.target);
