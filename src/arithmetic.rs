@@ -146,7 +146,7 @@ pub trait Arithmetic:
 
     /// The exponent as the user gave it.
     #[doc(hidden)]
-    fn parameter(exponent: Self::Exponent) -> Self::Parameter;
+    fn given(exponent: Self::Exponent) -> Self::Parameter;
 
     /// Lifts to the cosine-power hemisphere: z = (1 - r^2)^(1 / (e + 1)).
     #[doc(hidden)]

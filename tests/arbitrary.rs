@@ -11,8 +11,9 @@ use hemidisc::sequence::{
     Shuffled, Sobol, SobolOwen,
 };
 use hemidisc::{
-    Axis, Concentric, Cosine, Domain, FastF32, Frame, LibmF32, LibmF64, Map, Points, Polar, Power,
-    Q15, Q31, Coordinates, Uniform, UnitSquare, invariant, Invert};
+    Axis, Concentric, Coordinates, Cosine, Domain, FastF32, Frame, Invert, LibmF32, LibmF64,
+    Points, Polar, Power, Q15, Q31, Uniform, UnitSquare, invariant,
+};
 use proptest::prelude::*;
 use std::fmt::Debug;
 
@@ -130,8 +131,7 @@ fn parts_are_taken_as_they_are() {
     // Empty, and too large.
     assert_eq!(made::<Regular>(&[]), Regular::new(1, 1).unwrap());
     assert_eq!(made::<Regular>(&words(&[3, u32::MAX])), Regular::new(3, u32::MAX / 3).unwrap());
-    let exponent =
-        |e: f32| made::<Power<LibmF32>>(&words(&[e.to_bits()])).exponent();
+    let exponent = |e: f32| made::<Power<LibmF32>>(&words(&[e.to_bits()])).exponent();
     assert_eq!([50.0, -0.5, f32::MAX].map(exponent), [50.0, -0.5, f32::MAX]);
     assert_eq!([-1.0, f32::NAN, f32::INFINITY].map(exponent), [0.0; 3]);
     let z = |s: f32, t: f32| made::<Frame<f32>>(&words(&[s.to_bits(), t.to_bits()])).axes()[2];

@@ -7,7 +7,7 @@
 
 use hemidisc::arithmetic::Float;
 use hemidisc::invariant::{self, Exact, in_unit_disc};
-use hemidisc::{Concentric, Cosine, LibmF32, Map, Polar, Power, Uniform, Density, Invert};
+use hemidisc::{Concentric, Cosine, Density, Invert, LibmF32, Map, Polar, Power, Uniform};
 use proptest::prelude::*;
 use testkit::arithmetics::{Number, Tested, every_arithmetic};
 use testkit::promises::{AtSample, Total};
@@ -72,7 +72,8 @@ proptest! {
 /// Whatever is asked of, an answer comes: no panic, no argument that a library of functions does
 /// not expect, a density that is a number and 0 below the horizon.
 fn total([x, y, z]: [f32; 3], e: f32) {
-    let lobes = (Power::<Checked>::new(e).unwrap(), Power::over(e, Polar::<Checked>::new()).unwrap());
+    let lobes =
+        (Power::<Checked>::new(e).unwrap(), Power::over(e, Polar::<Checked>::new()).unwrap());
     for density in [
         lobes.0.density([x, y, z]),
         Uniform::<Checked>::new().density([x, y, z]),

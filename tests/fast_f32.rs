@@ -8,7 +8,10 @@ use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
 use hemidisc::invariant::{self, Exact, in_unit_disc};
 use hemidisc::sequence::Random;
-use hemidisc::{Concentric, Cosine, Error, FastF32, Map, Points, Polar, Power, Coordinates, Uniform, Invert, Density};
+use hemidisc::{
+    Concentric, Coordinates, Cosine, Density, Error, FastF32, Invert, Map, Points, Polar, Power,
+    Uniform,
+};
 use std::array::from_fn;
 
 /// A prime, so that a strided walk is in step with no power of two.

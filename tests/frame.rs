@@ -2,7 +2,7 @@
 #![cfg(feature = "libm")]
 
 use hemidisc::sequence::{Random, SobolOwen};
-use hemidisc::{Cosine, Error, Frame, LibmF32, LibmF64, Map, Points, Power, UnitSquare, Density};
+use hemidisc::{Cosine, Density, Error, Frame, LibmF32, LibmF64, Map, Points, Power, UnitSquare};
 use proptest::prelude::*;
 use testkit::orthonormal::{LARGEST, deviation, dot};
 

@@ -2,8 +2,8 @@
 #![cfg(feature = "libm")]
 
 use hemidisc::invariant::{self, Violation, in_unit_disc};
-use hemidisc::sequence::{Block, Hammersley, NRooks, Regular, Sequence, Sobol};
 use hemidisc::map::{Component, Density, Invert, Map, Point};
+use hemidisc::sequence::{Block, Hammersley, NRooks, Regular, Sequence, Sobol};
 use hemidisc::{Concentric, Cosine, LibmF32, Polar};
 
 /// A map with a fault in its points, its density or its inverse.

@@ -124,7 +124,10 @@ fn arrays_are_checked() {
 fn heapless_vectors_do_not_panic() {
     let set = Points::new(Hammersley::new(8).unwrap(), Concentric::<LibmF32>::new());
     let mut vec: heapless::Vec<[f32; 2], 11> = heapless::Vec::new();
-    assert_eq!((set.extend_heapless(&mut vec), set.extend_heapless(&mut vec), vec.len()), (8, 3, 11));
+    assert_eq!(
+        (set.extend_heapless(&mut vec), set.extend_heapless(&mut vec), vec.len()),
+        (8, 3, 11)
+    );
     assert_eq!(set.extend_heapless(&mut vec), 0);
     assert_eq!(set.to_heapless::<7>(), Err(Error::Capacity { len: 8, capacity: 7 }));
     let whole = set.to_heapless::<8>().unwrap();

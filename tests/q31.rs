@@ -11,7 +11,9 @@ use hemidisc::arithmetic::FixedExponent;
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
 use hemidisc::invariant::{self, Exact};
 use hemidisc::sequence::Random;
-use hemidisc::{Concentric, Cosine, Map, Polar, Power, Q31, Uniform, disc::Rejection, Density, Invert};
+use hemidisc::{
+    Concentric, Cosine, Density, Invert, Map, Polar, Power, Q31, Uniform, disc::Rejection,
+};
 use std::collections::BTreeMap;
 use testkit::arithmetics::peak;
 use testkit::contract::contract;

@@ -1,7 +1,7 @@
 //! The errors of every map x arithmetic.
 //!
 //! Against the textbook's formula in f64 at random and at hard coordinates; `libm-f64`, which that cannot judge,
-//! against mpmath at the hard cases of `tests/vectors/maps.csv`.
+//! against mpmath at the hard cases of `testkit/vectors/maps.csv`.
 
 use crate::evenness::deviation;
 use hemidisc::Invert;

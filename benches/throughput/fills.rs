@@ -9,58 +9,9 @@
 //!
 //! All but the peers come from the catalogue's lists.
 
-use crate::{Failure, fused, maps, peers, sequences};
-use hemidisc::map::Point;
-use hemidisc::{Map, Points, sequence::Sequence};
-use rand_xoshiro::Xoshiro128PlusPlus;
-use rand_xoshiro::rand_core::{Rng, SeedableRng};
-use std::hint::black_box;
-
-/// Buffers of as many points stay in the caches of a core.
-pub(crate) const SMALL: usize = 1 << 12;
-/// And of as many in none.
-pub(crate) const LARGE: usize = 1 << 22;
-
-/// The seed of sequences and generators.
-pub(crate) const SEED: u32 = 7;
-
-/// Sees every fill in turn.
-pub(crate) trait Visitor<'a> {
-    /// Called once for each; `make` allocates the buffer, and what it gives fills it.
-    fn fill<F: FnMut() + 'a>(&mut self, path: &str, make: impl FnOnce() -> F);
-}
-
-/// One fill after another takes the next of as many ranges of points: a processor learns 4096 random coordinates
-/// by heart, and then predicts branches that no renderer's would.
-pub(crate) const WINDOWS: usize = 16;
-
-/// Random coordinates.
-pub(crate) struct Coordinates(Vec<[u32; 2]>);
-
-impl Coordinates {
-    /// Enough for every fill of at most `points` points.
-    pub(crate) fn new(points: usize) -> Self {
-        let mut rng = generator(points);
-        let pairs = std::iter::repeat_with(|| [rng.next_u32(), rng.next_u32()]);
-        Self(pairs.take(candidates(points)).collect())
-    }
-
-    /// Windows of `size` coordinates each.
-    pub(crate) fn windows(&self, size: usize) -> &[[u32; 2]] {
-        let windows = (self.0.len() / size).min(WINDOWS);
-        self.0.get(..windows * size).unwrap_or(&self.0)
-    }
-}
-
-/// Candidates from which rejection keeps that many points: of random ones it keeps 78.5 %.
-pub(crate) const fn candidates(points: usize) -> usize {
-    points + points / 2
-}
-
-/// Other words for each size of buffer: of the same ones in two buffers, the second would find the branches learned.
-pub(crate) fn generator(points: usize) -> Xoshiro128PlusPlus {
-    Xoshiro128PlusPlus::seed_from_u64(u64::from(SEED) + points as u64)
-}
+use crate::buffers::{Coordinates, Visitor};
+use crate::failure::Failure;
+use crate::{fused, maps, peers, sequences};
 
 /// Visits every fill of that many points, a multiple of 64.
 pub(crate) fn every<'a>(
@@ -73,25 +24,4 @@ pub(crate) fn every<'a>(
     fused::every(points, visitor)?;
     peers::every(coordinates, points, visitor);
     Ok(())
-}
-
-/// Points of a sequence into a buffer: what a caller of the crate does.
-pub(crate) fn filler<S: Sequence, M: Map>(sequence: S, map: M, points: usize) -> impl FnMut() {
-    let mut buffer = vec![M::Point::zero(); points];
-    let all = Points::new(sequence, map);
-    // A set that is too short stops the bench at the division below.
-    let windows = (all.len() as usize / points).min(WINDOWS);
-    let mut window = 0;
-    move || {
-        window = (window + 1) % windows;
-        if let Ok(points) = all.range((window * points) as u32..((window + 1) * points) as u32) {
-            fill(black_box(&points), black_box(&mut buffer));
-        }
-    }
-}
-
-/// A function of its own for each set, so that none is compiled into another, and a profile tells them apart.
-#[inline(never)]
-fn fill<S: Sequence, M: Map>(points: &Points<S, M>, buffer: &mut [M::Point]) {
-    points.fill(buffer);
 }

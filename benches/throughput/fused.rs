@@ -1,8 +1,8 @@
 //! Sequence, map and buffer in one fill: every sequence through every map of fast f32, and Sobol through every
 //! map of the other arithmetics.
 
-use crate::Failure;
-use crate::fills::{SEED, Visitor};
+use crate::buffers::{SEED, Visitor};
+use crate::failure::Failure;
 use crate::maps::Through;
 use hemidisc::FastF32;
 use hemidisc::arithmetic::Arithmetic;

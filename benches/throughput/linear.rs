@@ -2,8 +2,8 @@
 //!
 //! From the caches to memory a point must cost the same, but for what the memory itself takes: `slice::fill` shows it.
 
-use crate::Failure;
-use crate::fills::{Coordinates, LARGE, SMALL};
+use crate::buffers::{Coordinates, LARGE, SMALL};
+use crate::failure::Failure;
 use crate::rounds::{self, Measurement};
 
 /// Points of a buffer.

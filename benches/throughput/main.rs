@@ -11,10 +11,12 @@
 //! one process. With `RUSTFLAGS="-C target-cpu=native"` it is another build, whose figures stand beside the
 //! baseline's. `--test` does everything once, to see that it works.
 //!
-//! `fills` says what is timed; `sequences`, `maps`, `fused` and `peers` are its families, the peers' formulas
-//! are in `testkit::textbook`. `timings` is criterion's part. `rounds` interleaves; `targets` and `linear` are rounds of their own;
-//! `report` keeps what was measured, and `table` prints it.
+//! `fills` says what is timed. `sequences`, `maps`, `fused` and `peers` are its families, and `buffers` is what they
+//! share. The peers' formulas are in `testkit::textbook`. `timings` is criterion's part. `rounds` interleaves; `targets`
+//! and `linear` are rounds of their own. `report` keeps what was measured, and `table` prints it.
 
+mod buffers;
+mod failure;
 mod fills;
 mod fused;
 mod linear;
@@ -27,14 +29,11 @@ mod table;
 mod targets;
 mod timings;
 
-use fills::{Coordinates, LARGE, SMALL};
+use buffers::{Coordinates, LARGE, SMALL};
+use failure::Failure;
 use report::{Build, Report};
-use std::error::Error;
 use std::io::{self, Write};
-use std::path::Path;
 use std::process::ExitCode;
-
-type Failure = Box<dyn Error>;
 
 /// What to do.
 struct Arguments {
@@ -94,9 +93,4 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         io::stdout().write_all(table::whole(&report).as_bytes())?;
     }
     Ok(())
-}
-
-/// An error with the file that it is of.
-fn failed(path: &Path, error: &dyn Error) -> Failure {
-    format!("{}: {error}", path.display()).into()
 }

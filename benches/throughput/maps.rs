@@ -1,12 +1,12 @@
 //! Every map of every arithmetic, from stored coordinates.
 
-use crate::Failure;
-use crate::fills::{Coordinates, Visitor, candidates, filler};
+use crate::buffers::{Coordinates, Visitor, candidates, filler};
+use crate::failure::Failure;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{self, ArithmeticVisitor, MapVisitor};
 use hemidisc::disc::Rejection;
 use hemidisc::sequence::{Sequence, Stored};
-use hemidisc::{Map, UnitSquare, Invert};
+use hemidisc::{Invert, Map, UnitSquare};
 use std::hint::black_box;
 
 /// The exponent of the power lobe: a highlight of some 10 degrees.
@@ -102,11 +102,7 @@ impl<'a, 'v, S: Sequence + 'a, V: Visitor<'a>> Through<'v, S, V> {
 }
 
 impl<'a, A: Arithmetic, S: Sequence + 'a, V: Visitor<'a>> MapVisitor<A> for Through<'_, S, V> {
-    fn disc<M: Invert<Point = [A::Real; 2]> + 'static>(
-        &mut self,
-        name: &'static str,
-        map: M,
-    ) {
+    fn disc<M: Invert<Point = [A::Real; 2]> + 'static>(&mut self, name: &'static str, map: M) {
         self.map::<A, _>("disc", name, map);
     }
 

@@ -1,7 +1,7 @@
 //! The peers: `rand_distr`'s disc and sphere on xoshiro128++, `sobol_burley`, the textbooks' formulas on std's and
 //! glibc's f32 functions, and `slice::fill`, the least that a fill can cost.
 
-use crate::fills::{Coordinates, SEED, Visitor, generator};
+use crate::buffers::{Coordinates, SEED, Visitor, generator};
 use crate::maps::EXPONENT;
 use rand_distr::{Distribution, UnitDisc, UnitSphere};
 use rand_xoshiro::rand_core::Rng;

@@ -27,9 +27,9 @@
 //! `nanoseconds` are those of a point, in the shortest of all `rounds` of all `runs`. `ratios` say how many times as
 //! fast the fill is as those with the paths in them, at as many points: above 1 it is faster.
 
+use crate::failure::{Failure, failed};
 use crate::peers;
 use crate::rounds::Measurement;
-use crate::{Failure, failed};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;

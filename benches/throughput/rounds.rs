@@ -3,8 +3,9 @@
 //! A machine that is busy with other work, or that changes its clock, slows the fills that it meets. In rounds it
 //! meets all alike, and the shortest of many is one that it did not meet.
 
-use crate::Failure;
-use crate::fills::{self, Coordinates, SMALL, Visitor, WINDOWS};
+use crate::buffers::{Coordinates, SMALL, Visitor, WINDOWS};
+use crate::failure::Failure;
+use crate::fills;
 use std::time::Instant;
 
 /// Points between two readings of the clock: so many that the readings do not show, and every window once.

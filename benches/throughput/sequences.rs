@@ -1,7 +1,7 @@
 //! Every sequence: its coordinates by blocks, as a fused fill takes them.
 
-use crate::Failure;
-use crate::fills::{SEED, Visitor};
+use crate::buffers::{SEED, Visitor};
+use crate::failure::Failure;
 use hemidisc::catalogue::{self, SequenceVisitor};
 use hemidisc::sequence::{BLOCK, Block, Sequence};
 use std::hint::black_box;

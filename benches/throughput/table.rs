@@ -1,6 +1,6 @@
 //! The report as Markdown: ratios, for a time is that of one machine.
 
-use crate::fills::{LARGE, SMALL};
+use crate::buffers::{LARGE, SMALL};
 use crate::linear::SIZES;
 use crate::peers;
 use crate::report::{Build, Report, Row};

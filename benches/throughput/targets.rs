@@ -1,8 +1,8 @@
 //! What the fast arithmetic must reach: how many times as fast as a peer, on the baseline build and on one for the
 //! machine's own vectors.
 
-use crate::Failure;
-use crate::fills::{Coordinates, LARGE};
+use crate::buffers::{Coordinates, LARGE};
+use crate::failure::Failure;
 use crate::rounds::{self, Measurement};
 
 /// One of them.

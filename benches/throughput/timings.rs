@@ -1,7 +1,8 @@
 //! Criterion's timing of each fill, one after another: what a change has done to it since the last run.
 
-use crate::Failure;
-use crate::fills::{self, Coordinates, LARGE, SMALL, Visitor};
+use crate::buffers::{Coordinates, LARGE, SMALL, Visitor};
+use crate::failure::Failure;
+use crate::fills;
 use criterion::{Criterion, Throughput};
 use std::time::Duration;
 

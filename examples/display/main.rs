@@ -1,13 +1,15 @@
 //! Points and a render on a small panel, as a firmware draws them.
 //!
-//! `cargo run --release --example display [-- --out DIR]` writes under DIR (default `target/display`) what a panel of
-//! 160 x 128 pixels of 16 bits shows, at twice its size:
+//! `cargo run --release --all-features --example display [-- --out DIR]` writes under DIR (default
+//! `target/display`) what a panel of 160 x 128 pixels of 16 bits shows, at twice its size:
 //!
 //! - `points.png`: 256 lens samples of six sequences each;
-//! - `pass-1.png` to `pass-3.png`, then `render.png`: a scene with four effects while it is rendered.
+//! - `pass-1.png` to `pass-3.png`, then `render.png`: a scene with four effects while it is
+//!   rendered.
 //!
-//! `testkit::panel` draws, with the renderer `testkit::tracer`, and asks for nothing but `core` and a `DrawTarget`. That
-//! is a panel in memory here, and in a firmware the display of its driver; nothing else changes.
+//! `testkit::panel` draws, with the renderer `testkit::tracer`, and asks for nothing but `core` and
+//! a `DrawTarget`. That is a panel in memory here, and in a firmware the display of its driver;
+//! nothing else changes.
 
 #[cfg(test)]
 mod tests;

@@ -2,7 +2,7 @@
 //!
 //! Lines are sampled densely through the map in f64; a panel thins them to what the eye can tell.
 
-use hemidisc::{Concentric, LibmF64, Map, Polar, Coordinates};
+use hemidisc::{Concentric, Coordinates, LibmF64, Map, Polar};
 use plotters::prelude::RGBColor;
 
 /// Where a map takes a point of the square.

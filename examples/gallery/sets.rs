@@ -8,7 +8,7 @@ use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{self, MapVisitor, SequenceVisitor};
 use hemidisc::disc::Rejection;
 use hemidisc::sequence::Sequence;
-use hemidisc::{Error, LibmF32, Map, Points, Coordinates, Invert};
+use hemidisc::{Coordinates, Error, Invert, LibmF32, Map, Points};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -130,10 +130,7 @@ struct Maps<S> {
 
 impl<S: Sequence> Maps<S> {
     /// Fills a buffer as a caller would, and times it; with the points that it holds then.
-    fn fill<M: Map<Point = [f32; D]>, const D: usize>(
-        &self,
-        map: M,
-    ) -> (Vec<[f64; D]>, f64)
+    fn fill<M: Map<Point = [f32; D]>, const D: usize>(&self, map: M) -> (Vec<[f64; D]>, f64)
     where
         [f32; D]: Default,
     {
@@ -150,11 +147,7 @@ impl<S: Sequence> Maps<S> {
 type Slot = <LibmF32 as Arithmetic>::Real;
 
 impl<S: Sequence> MapVisitor<LibmF32> for Maps<S> {
-    fn disc<M: Invert<Point = [Slot; 2]>>(
-        &mut self,
-        name: &'static str,
-        map: M,
-    ) {
+    fn disc<M: Invert<Point = [Slot; 2]>>(&mut self, name: &'static str, map: M) {
         let (points, nanoseconds) = self.fill(map);
         let measured = Measured::of(&points, self.count);
         self.discs.push(OnDisc { map: name, points, rejected: Vec::new(), measured, nanoseconds });

@@ -7,14 +7,14 @@ use crate::job::{Job, Work};
 use crate::number::{Encoding, encoding};
 use crate::set::{EXPONENT, SQUARE, Set};
 use examples::Failure;
-use hemidisc::map::Point;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{
     ArithmeticVisitor, MapVisitor, SequenceVisitor, arithmetics, maps, power_maps, sequences,
 };
 use hemidisc::map::Component;
+use hemidisc::map::Point;
 use hemidisc::sequence::{Sequence, Stored};
-use hemidisc::{FastF32, Map, Points, UnitSquare, Invert};
+use hemidisc::{FastF32, Invert, Map, Points, UnitSquare};
 use serde::{Deserialize, Serialize};
 use std::io::{self, Write};
 

@@ -157,7 +157,7 @@ impl Arithmetic for FastF32 {
         FastExponent::new(e)
     }
 
-    fn parameter(exponent: FastExponent) -> f32 {
+    fn given(exponent: FastExponent) -> f32 {
         exponent.value()
     }
 

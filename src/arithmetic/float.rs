@@ -120,7 +120,7 @@ impl<T: Float> Arithmetic for T {
         PowerExponent::new::<T>(e)
     }
 
-    fn parameter(exponent: PowerExponent<T::Real>) -> T::Real {
+    fn given(exponent: PowerExponent<T::Real>) -> T::Real {
         exponent.value()
     }
 

@@ -115,7 +115,7 @@ macro_rules! arithmetic_on_q15 {
                     Ok(Q15Exponent::new(parameter))
                 }
 
-                fn parameter(exponent: Q15Exponent) -> FixedExponent {
+                fn given(exponent: Q15Exponent) -> FixedExponent {
                     exponent.value()
                 }
 

@@ -116,7 +116,7 @@ impl Arithmetic for Q31 {
         Ok(Q31Exponent::new(parameter))
     }
 
-    fn parameter(exponent: Q31Exponent) -> FixedExponent {
+    fn given(exponent: Q31Exponent) -> FixedExponent {
         exponent.value()
     }
 

@@ -5,12 +5,12 @@ use crate::arithmetics::{EachArithmetic, Exponent, Number, Tested};
 use crate::contract::contract;
 use crate::errors::{EachMap, Errors, each_map, each_power_map};
 use crate::reference::reference;
-use hemidisc::map::Point;
 use hemidisc::Invert;
 use hemidisc::Map;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
 use hemidisc::invariant::{self, Exact};
+use hemidisc::map::Point;
 
 /// Exponents that the contracts of theta, density and inverse are for.
 pub fn is_promised(e: f64) -> bool {

@@ -29,7 +29,8 @@ impl<A: Tested> EachMap<A> for Measure<'_> {
         let total = self.found.entry(kind).or_default();
         for &uv in self.points {
             let e = self.exponent;
-            let errors = Errors::at::<A, _>(&map, uv, e, reference::<A>(kind, disc, e, uv), &contract);
+            let errors =
+                Errors::at::<A, _>(&map, uv, e, reference::<A>(kind, disc, e, uv), &contract);
             let label = format!("{} {kind}/{disc} e = {} at {uv:08x?}", A::NAME, self.exponent);
             errors.assert_within(&contract, true, true, &label);
             total.include(errors);

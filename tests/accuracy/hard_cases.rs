@@ -3,7 +3,7 @@
 //! bits of a coordinate has a table of its own.
 
 use hemidisc::invariant::{self, Exact};
-use hemidisc::{LibmF32, Invert, LibmF64};
+use hemidisc::{Invert, LibmF32, LibmF64};
 use std::collections::{BTreeSet, HashMap};
 use testkit::arithmetics::{Exponent, Number, Tested};
 use testkit::contract::{CONTRACTS, contract};

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Reference values of every map for hard coordinates and exponents, by mpmath at 120 digits.
 
-Writes tests/vectors/maps.csv and, for arithmetics that read 16 bits of a coordinate, maps_16.csv:
+Writes testkit/vectors/maps.csv and, for arithmetics that read 16 bits of a coordinate, maps_16.csv:
 python3 tests/derive/maps.py
 
 The formulas are the textbook's, on the exact centres (2k + 1) / 2^33, or (2c + 1) / 2^17 of cells of 16 bits,
@@ -167,7 +167,7 @@ def table(width, coordinates, exponents):
 
 
 def main():
-    vectors = Path(__file__).parent.parent / "vectors"
+    vectors = Path(__file__).parents[2] / "testkit" / "vectors"
     for name, *of in (
         ("maps.csv", 32, coordinates_32(), EXPONENTS),
         ("maps_16.csv", 16, coordinates_16(), EXPONENTS_16),

@@ -2,7 +2,7 @@
 
 use super::{COUNT, Float, assert_near, dot, each_float, even_mean, wide};
 use hemidisc::effect::{BelowHorizon, Glossy};
-use hemidisc::sequence::{Sequence, SobolOwen};
+use hemidisc::sequence::SobolOwen;
 use hemidisc::{Error, LibmF64, Map, Uniform};
 use std::f64::consts::TAU;
 
@@ -44,7 +44,7 @@ fn energy_is_accounted_for<A: Float>() {
         let [reject, flip, zero] = POLICIES.map(|below| gloss::<A>(e, below));
         let mut kept = 0;
         for i in 0..COUNT {
-            let uv = SobolOwen::new(4).point(i);
+            let uv = SobolOwen::new(4).at(i);
             let (rejected, zero) =
                 (reject.sample(down, up, uv), zero.sample(down, up, uv).unwrap());
             assert_eq!(rejected.is_none(), zero.weight.into() == 0.0);
@@ -88,7 +88,7 @@ fn a_very_sharp_lobe_is_a_mirror<A: Float>() {
     for below in POLICIES {
         let gloss = gloss::<A>(1e8, below);
         for i in 0..COUNT {
-            let uv = SobolOwen::new(6).point(i);
+            let uv = SobolOwen::new(6).at(i);
             let sample = gloss.sample(A::vector(down), A::vector(UP), uv).unwrap();
             let found: [f64; 3] = wide(sample.direction);
             let away = (0..3).map(|i| (found[i] - mirror[i]).powi(2)).sum::<f64>().sqrt();
@@ -102,7 +102,7 @@ fn a_very_sharp_lobe_is_a_mirror<A: Float>() {
 fn both_sides_reflect<A: Float>() {
     let gloss = gloss::<A>(30.0, BelowHorizon::Flip);
     for i in 0..100 {
-        let uv = SobolOwen::new(6).point(i);
+        let uv = SobolOwen::new(6).at(i);
         let from_below = gloss.sample(A::vector([0.6, 0.0, 0.8]), A::vector(UP), uv).unwrap();
         assert!(from_below.direction[2].into() <= 0.0);
         let along = gloss.sample(A::vector([1.0, 0.0, 0.0]), A::vector(UP), uv).unwrap();

@@ -3,7 +3,7 @@
 use super::{COUNT, Float, assert_near, each_float, wide};
 use hemidisc::arithmetic::Real;
 use hemidisc::effect::{Polygon, ThinLens};
-use hemidisc::sequence::{Sequence, SobolOwen};
+use hemidisc::sequence::SobolOwen;
 use hemidisc::{Concentric, Error};
 
 /// All rays of a pixel meet in focus; elsewhere they fill the circle of confusion, and no more.
@@ -15,7 +15,7 @@ fn the_blur_is_the_circle_of_confusion<A: Float>() {
         assert_near(expected, radius * f64::abs(1.0 - distance / focus), A::EPS, "radius");
         let mut widest = 0.0_f64;
         for i in 0..COUNT {
-            let ray = lens.ray([A::real(0.5), A::real(-0.25)], SobolOwen::new(1).point(i));
+            let ray = lens.ray([A::real(0.5), A::real(-0.25)], SobolOwen::new(1).at(i));
             let ([o_x, o_y, o_z], [x, y, z]) = (wide(ray.origin), wide(ray.direction));
             assert_eq!((o_z, z), (0.0, 1.0));
             let blur = (o_x + distance * (x - 0.5), o_y + distance * (y + 0.25));
@@ -39,7 +39,7 @@ fn a_pinhole_is_exact<A: Float>() {
     let far = A::real(f64::INFINITY);
     let parallel = ThinLens::new(Concentric::<A>::new(), A::Real::ONE, far).unwrap();
     for i in 0..100 {
-        let uv = SobolOwen::new(2).point(i);
+        let uv = SobolOwen::new(2).at(i);
         for ray in [round.ray(ahead, uv), blades.ray(ahead, uv)] {
             assert_eq!(ray.origin, [A::Real::ZERO; 3]);
             assert_eq!(ray.direction, [ahead[0], ahead[1], A::Real::ONE]);

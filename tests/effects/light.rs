@@ -43,7 +43,7 @@ fn densities_are_per_steradian<A: Float>() {
     let light = lamp::<A>(1.0, 0.8);
     let receiver = A::vector([0.5, 0.25, 0.0]);
     for i in 0..1000 {
-        let sample = light.sample(receiver, SobolOwen::new(8).point(i));
+        let sample = light.sample(receiver, SobolOwen::new(8).at(i));
         let [found, exact]: [f64; 2] =
             wide([light.density(receiver, sample.direction), sample.density]);
         // At the rim rounding decides whether a direction meets the light.
@@ -124,7 +124,7 @@ fn a_point_light_is_exact<A: Float>() {
     assert_near(first.weight.into(), 0.8 / 6.25, A::EPS, "weight");
     assert!(first.density.into() > 1e30 && first.density.into().is_finite());
     for i in 0..100 {
-        assert_eq!(light.sample(receiver, SobolOwen::new(9).point(i)), first);
+        assert_eq!(light.sample(receiver, SobolOwen::new(9).at(i)), first);
     }
     assert_eq!(light.density(receiver, first.direction).into(), 0.0);
     assert_eq!(light.area().into(), 0.0);
@@ -169,7 +169,7 @@ fn a_plane_is_as_thick_as_coordinates_round<A: Float>() {
                 let up = frame.to_world([u, v, A::real(height)]);
                 core::array::from_fn(|i| A::real(place[i]) + up[i])
             };
-            let uv = SobolOwen::new(1).point(i);
+            let uv = SobolOwen::new(1).at(i);
             for light in [light, both] {
                 let sample = light.sample(at(0.0), uv);
                 assert_eq!(wide([sample.weight, sample.density]), [0.0; 2], "{i}");

@@ -1,11 +1,11 @@
 //! The polygonal aperture as a map.
 
 use super::{COUNT, Float, assert_near, each_float, wide};
-use hemidisc::Invert;
 use hemidisc::Density;
+use hemidisc::Invert;
 use hemidisc::Map;
 use hemidisc::effect::Polygon;
-use hemidisc::sequence::{Sequence, SobolOwen};
+use hemidisc::sequence::SobolOwen;
 use std::f64::consts::{PI, TAU};
 
 /// Points of a polygon with a corner at `turns` (which is 6e-11 short of the circle): within the disc and every side, evenly over the blades and
@@ -17,7 +17,7 @@ fn check<A: Float, const N: usize>(turns: f64) {
     let mut inner = 0;
     let count = COUNT * 4;
     for i in 0..count {
-        let uv = SobolOwen::new(3).point(i);
+        let uv = SobolOwen::new(3).at(i);
         let point = polygon.sample(uv);
         let [x, y] = wide(point);
         assert!(x.mul_add(x, y * y) <= 1.0, "{x} {y}");

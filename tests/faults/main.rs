@@ -62,7 +62,7 @@ fn every_fault_is_caught() {
 fn copy_of_the_tree() -> PathBuf {
     let tree = root().join("target/faults/tree");
     let needed = ["Cargo.toml", "Cargo.lock", "README.md", "CHANGELOG.md", "docs"];
-    let sources = ["src", "tests", "examples", "benches"];
+    let sources = ["src", "testkit", "tests", "examples", "benches"];
     fs::create_dir_all(tree.join("fuzz")).unwrap();
     let fuzz = ["fuzz/corpus", "fuzz/fuzz_targets", "fuzz/Cargo.toml", "fuzz/hard.dict"];
     for name in needed.into_iter().chain(sources).chain(fuzz) {

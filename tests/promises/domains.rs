@@ -138,11 +138,7 @@ fn assert_shuffled(set: impl Sequence, what: &str) {
     let orders = [Domain::new(1), Domain::new(2)].map(|domain| {
         let shuffled = Shuffled::new(set, domain);
         assert_eq!(shuffled.size(), Some(size), "{what}");
-        assert_eq!(
-            sorted(&|i| shuffled.at(i)),
-            sorted(&|i| set.at(i)),
-            "{what}: other points"
-        );
+        assert_eq!(sorted(&|i| shuffled.at(i)), sorted(&|i| set.at(i)), "{what}: other points");
         (0..size).map(|i| shuffled.at(i)).collect::<Vec<_>>()
     });
     let straight: Vec<_> = (0..size).map(|i| set.at(i)).collect();
@@ -187,8 +183,7 @@ fn a_shuffle_keeps_aligned_blocks() {
             }
         }
     }
-    let starts: HashSet<_> = (0..1000)
-        .map(|key| index(Shuffled::new(Sobol::new(0), Domain::new(key)).at(0)))
-        .collect();
+    let starts: HashSet<_> =
+        (0..1000).map(|key| index(Shuffled::new(Sobol::new(0), Domain::new(key)).at(0))).collect();
     assert_eq!(starts.len(), 1000, "orders of different domains start alike");
 }

@@ -1,11 +1,11 @@
 //! The hemisphere: 256 directions for each exponent, over both disc maps, from above and the side.
 
-use hemidisc::Polar;
 use super::title;
 use crate::dome::{SIDE, TOP};
 use crate::sets::{EXPONENTS, OnHemisphere, Set};
 use crate::statistics::minimum_angle;
 use examples::gallery::canvas::{Align, Drawn, NOTE, Sheet, plate};
+use hemidisc::Polar;
 use hemidisc::{LibmF64, Map, Power};
 use std::error::Error;
 
@@ -37,9 +37,12 @@ pub(crate) fn draw(set: &Set) -> Result<String, Box<dyn Error>> {
                 if let Some(lobe) = set.on_hemisphere(disc, exponent) {
                     let y = HEAD + ROW * f64::from(row);
                     match disc {
-                        "polar" => {
-                            one(sheet, [x, y], lobe, Power::over(exponent.into(), Polar::<LibmF64>::new())?)?
-                        }
+                        "polar" => one(
+                            sheet,
+                            [x, y],
+                            lobe,
+                            Power::over(exponent.into(), Polar::<LibmF64>::new())?,
+                        )?,
                         _ => one(sheet, [x, y], lobe, Power::<LibmF64>::new(exponent.into())?)?,
                     }
                 }

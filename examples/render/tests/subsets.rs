@@ -1,12 +1,12 @@
 //! Every subset of the effects, in every arithmetic that renders.
 
-use testkit::tracer::Tally;
 use super::{SMALL, bits, each_arithmetic, pixels, rendered, scene, subsets};
 use crate::report::tally;
 use examples::render::description::{Material, Scene};
 use examples::render::effects::{Effect, Effects};
 use examples::render::frame::Settings;
 use examples::render::values::{Colour, Exponent, Radius};
+use testkit::tracer::Tally;
 
 /// A scene from whose text the other effects were taken out.
 fn cut(scene: &Scene, effects: Effects) -> Scene {

@@ -3,7 +3,7 @@
 use super::{folder, holds, made, parts};
 use hemidisc::catalogue::{MapVisitor, SequenceVisitor, maps, power_maps, sequences};
 use hemidisc::sequence::{Sequence, SobolOwen};
-use hemidisc::{Concentric, FastF32, Map, Points, Invert};
+use hemidisc::{Concentric, FastF32, Invert, Map, Points};
 use testkit::arithmetics::{Exponent, Number, Tested};
 
 /// A component's bits from their text, little-endian.

@@ -13,9 +13,7 @@ fn ranges_are_those_of_points() {
             let range = range(len, shard, of);
             let points = all.shard(shard.into(), of.into()).unwrap();
             assert_eq!(range.len() as u64, u64::from(points.len()), "shard {shard} of {of}");
-            assert!(
-                range.is_empty() || points.coordinates(0) == Some(R2::new(0).at(range.start))
-            );
+            assert!(range.is_empty() || points.coordinates(0) == Some(R2::new(0).at(range.start)));
             assert!(range.start >= next && range.end <= len);
             next = range.end;
         }

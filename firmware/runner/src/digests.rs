@@ -1,7 +1,7 @@
 //! The digests of a board against those of the host, in tests/golden.
 
 use crate::cores::Core;
-use crate::root;
+use crate::folders::root;
 use anyhow::{Context, Result, ensure};
 use std::collections::BTreeSet;
 use std::fs;

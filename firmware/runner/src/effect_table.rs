@@ -1,7 +1,7 @@
 //! What each effect costs on a board where a scene calls for it, and where it does not.
 
+use crate::folders::root;
 use crate::report::{Record, Report};
-use crate::root;
 use anyhow::{Context, Result};
 use std::fs;
 

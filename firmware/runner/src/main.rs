@@ -10,6 +10,7 @@ mod cores;
 mod digests;
 mod effect_table;
 mod effects;
+mod folders;
 mod images;
 mod qemu;
 mod report;
@@ -19,8 +20,8 @@ mod tools;
 use anyhow::{Context, Result, ensure};
 use clap::Parser;
 use cores::{CORES, Core};
+use folders::root;
 use report::{Lens, Record, Report};
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Measures hemidisc on microcontroller cores in QEMU.
@@ -32,11 +33,6 @@ struct Arguments {
     /// Write the tables into docs/firmware.md and README.md instead of comparing with them.
     #[arg(long)]
     bless: bool,
-}
-
-/// The crate's own folder.
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
 /// What is measured of one core.
@@ -107,6 +103,6 @@ fn run() -> Result<()> {
     let pictures = report.lens.windows(2).all(|pair| pair[0].picture == pair[1].picture);
     ensure!(pictures, "the example's picture is not the same on every core");
     println!("{}", report.lens[0].picture);
-    report.write(&root().join("target/firmware"))?;
+    table::write(&report, &root().join("target/firmware"))?;
     table::publish(&report, &root(), arguments.bless)
 }

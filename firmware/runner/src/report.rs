@@ -4,12 +4,9 @@ use crate::cores::Core;
 use crate::digests::Files;
 use crate::images::Image;
 use crate::qemu::Count;
-use crate::table;
 use anyhow::{Result, bail, ensure};
 use hemidisc::catalogue::{ARITHMETICS, SEQUENCES};
 use serde::Serialize;
-use std::fs;
-use std::path::Path;
 
 /// Points of a fill.
 const COUNT: f64 = 256.0;
@@ -155,15 +152,6 @@ impl Report {
             let maps = self.records.iter().filter(has).count();
             ensure!(maps >= 10 * 4, "{name}: {maps} of 40 maps are counted");
         }
-        Ok(())
-    }
-
-    /// Writes `report.json` and `report.md`.
-    pub fn write(&self, folder: &Path) -> Result<()> {
-        fs::create_dir_all(folder)?;
-        fs::write(folder.join("report.json"), serde_json::to_string_pretty(self)? + "\n")?;
-        fs::write(folder.join("report.md"), table::whole(self))?;
-        println!("{} records in {}", self.records.len(), folder.join("report.json").display());
         Ok(())
     }
 }

@@ -8,6 +8,15 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+/// Writes `report.json`, and `report.md`, which has the tables.
+pub fn write(report: &Report, folder: &Path) -> Result<()> {
+    fs::create_dir_all(folder)?;
+    fs::write(folder.join("report.json"), serde_json::to_string_pretty(report)? + "\n")?;
+    fs::write(folder.join("report.md"), whole(report))?;
+    println!("{} records in {}", report.records.len(), folder.join("report.json").display());
+    Ok(())
+}
+
 /// A fill's name: what all cores have in common.
 fn name(record: &Record) -> String {
     let parts = [
@@ -72,7 +81,7 @@ fn compiler_line(report: &Report) -> String {
 }
 
 /// All of it.
-pub fn whole(report: &Report) -> String {
+fn whole(report: &Report) -> String {
     let kinds = ["map", "fused", "sequence", "effect", "render", "exponent", "peer", "loop"];
     let tables = kinds.into_iter().map(|kind| of_kind(report, kind).unwrap_or_default());
     let mut text = compiler_line(report) + &tables.collect::<Vec<_>>().join("\n");

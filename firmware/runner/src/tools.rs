@@ -1,7 +1,7 @@
 //! The programs that a run needs: QEMU, linkers, and a cargo that has a `core` for each target.
 
 use crate::cores::{CORES, Core};
-use crate::root;
+use crate::folders::root;
 use anyhow::{Context, Result, bail, ensure};
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -19,7 +19,7 @@ impl<A: Arithmetic> PowerLobe<A> {
     }
 
     pub(super) fn exponent(&self) -> A::Parameter {
-        A::parameter(self.exponent)
+        A::given(self.exponent)
     }
 }
 

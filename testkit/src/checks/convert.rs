@@ -3,7 +3,7 @@
 
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::arithmetic::FixedExponent;
-use hemidisc::{Axis, Error, LibmF32, LibmF64, Power, Q15, Q31, Coordinates};
+use hemidisc::{Axis, Coordinates, Error, LibmF32, LibmF64, Power, Q15, Q31};
 
 #[derive(Arbitrary, Debug)]
 struct Input<'a> {

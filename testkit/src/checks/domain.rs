@@ -116,7 +116,8 @@ fn cut(input: &Input, domain: Domain) {
     let square = UnitSquare::<LibmF32>::new();
     let count = input.cuts[0] % 300;
     let start = input.start.min(u32::MAX - count);
-    let whole = Points::with_range(SobolOwen::in_domain(domain), square, start..start + count).unwrap();
+    let whole =
+        Points::with_range(SobolOwen::in_domain(domain), square, start..start + count).unwrap();
     let (left, rest) = whole.split_at(input.cuts[1] % (count + 1)).unwrap();
     let (middle, right) = rest.split_at(rest.len() / 2).unwrap();
     let parts: Vec<_> = left.iter().chain(middle).chain(right).collect();

@@ -8,7 +8,7 @@ use crate::orthonormal::{LARGEST, deviation, dot};
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::arithmetic::{Real, Root};
 use hemidisc::invariant::Exact;
-use hemidisc::{Cosine, Error, Frame, Map, Density, Invert};
+use hemidisc::{Cosine, Density, Error, Frame, Invert, Map};
 
 #[derive(Arbitrary, Debug)]
 struct Input {

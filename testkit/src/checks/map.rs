@@ -9,7 +9,7 @@ use crate::promises::{AtSample, Total};
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::disc::Rejection;
 use hemidisc::invariant::{Exact, in_unit_disc};
-use hemidisc::{LibmF32, LibmF64, Map, Power, UnitSquare, Invert, Density};
+use hemidisc::{Density, Invert, LibmF32, LibmF64, Map, Power, UnitSquare};
 
 /// Numbers first, in the order of the dictionary: coordinates, exponents, points.
 #[derive(Arbitrary, Debug)]

@@ -12,7 +12,7 @@ use hemidisc::sequence::{
     Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sequence,
     Shuffled, Sobol, SobolOwen, Stored,
 };
-use hemidisc::{Concentric, Error, LibmF32, Points, Invert};
+use hemidisc::{Concentric, Error, Invert, LibmF32, Points};
 
 #[derive(Arbitrary, Debug)]
 struct Input {

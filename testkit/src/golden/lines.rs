@@ -10,7 +10,7 @@ use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{MapVisitor, SequenceVisitor, maps, power_maps, sequences};
 use hemidisc::disc::Rejection;
 use hemidisc::sequence::{Sequence, Shuffled, SobolOwen, Stored};
-use hemidisc::{Domain, Error, Map, Points, UnitSquare, Invert};
+use hemidisc::{Domain, Error, Invert, Map, Points, UnitSquare};
 
 /// Points of each digest: not a power of two, so that strata round and blocks have a tail.
 const COUNT: u32 = 300;

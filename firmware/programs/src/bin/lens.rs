@@ -55,7 +55,8 @@ fn main() -> ! {
         for (column, character) in (0_i32..).zip(line.iter_mut().take(WIDTH)) {
             let pixel = camera.pixel(column.cast_unsigned(), row.cast_unsigned());
             lens.clear();
-            Points::new(SobolOwen::in_domain(pixel), Concentric::<Q15>::new()).extend_heapless(lens);
+            Points::new(SobolOwen::in_domain(pixel), Concentric::<Q15>::new())
+                .extend_heapless(lens);
             // A character is twice as high as wide.
             let x = (2 * column - WIDTH as i32 + 1) * (ONE / 2 / HEIGHT);
             let y = (2 * row - HEIGHT + 1) * (ONE / HEIGHT);
