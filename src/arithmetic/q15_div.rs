@@ -26,7 +26,7 @@ impl Q15Div {
 
 /// (a cos, a sin) of the angle pi/4 b/a, in 2^-31; a and b odd, b <= a < 2^16.
 #[inline(always)]
-pub(super) const fn turned(a: u32, b: u32) -> (u32, u32) {
+pub(super) const fn rotate(a: u32, b: u32) -> (u32, u32) {
     // b/a and its square in 2^-16, less than 1. An odd number is not 0, which the compiler may not see.
     let t = ((b << 16) - 1) / (a | 1);
     let q = (t * t) >> 16;

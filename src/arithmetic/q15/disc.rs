@@ -84,7 +84,7 @@ const fn bucket_near_centre(a: u32, b: u32) -> u32 {
 #[inline(always)]
 const fn turned<const DIVIDES: bool>(a: u32, b: u32) -> (u32, u32) {
     if DIVIDES {
-        return q15_div::turned(a, b);
+        return q15_div::rotate(a, b);
     }
     let bucket = match bucket(a, b) {
         Some(bucket) => bucket,

@@ -2,7 +2,7 @@
 
 use crate::arithmetic::Q31;
 use crate::arithmetic::fixed::root::root;
-use crate::arithmetic::fixed::rotation::{octant, unit};
+use crate::arithmetic::fixed::rotation::{cos_sin, rotate};
 use crate::arithmetic::fixed::wide::product;
 use crate::square::fold;
 
@@ -65,10 +65,10 @@ pub(super) const fn concentric<const RIM: bool>([u, v]: [u32; 2]) -> Q31Disc {
     let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));
     let signs = [!sign_u, !sign_v];
     if v > u {
-        let (y, x) = octant(v, u);
+        let (y, x) = rotate(v, u);
         Q31Disc::new(x, y, signs, ring::<RIM>(v))
     } else {
-        let (x, y) = octant(u, v);
+        let (x, y) = rotate(u, v);
         Q31Disc::new(x, y, signs, ring::<RIM>(u))
     }
 }
@@ -89,7 +89,7 @@ pub(super) const fn polar([u, v]: [u32; 2]) -> Q31Disc {
     let quarter = half ^ (left.cast_unsigned() >> 1);
     let steep = quarter & 1 << 29 != 0;
     let within = if steep { quarter ^ 0x3fff_ffff } else { quarter };
-    let (long, short) = unit(2 * within + 1);
+    let (long, short) = cos_sin(2 * within + 1);
     let (cos, sin) = if steep { (short, long) } else { (long, short) };
     let r2 = (2 * v as u64 + 1) << 31;
     let r = root(r2);
