@@ -3,7 +3,7 @@
 use super::{Float, assert_near, dot, each_float, even_mean, mean, wide};
 use hemidisc::arithmetic::Real;
 use hemidisc::effect::DiscLight;
-use hemidisc::sequence::{Random, Sequence, SobolOwen};
+use hemidisc::sequence::{Random, SobolOwen};
 use hemidisc::{Error, Frame, LibmF64, Map, Uniform};
 use std::f64::consts::{PI, TAU};
 

@@ -1,13 +1,18 @@
-//! Square root: a table, two Newton steps for 1 / sqrt x (x y^2 = 1), one for the root, and the exact floor.
+//! The floor of a square root.
+//!
+//! A table gives y near 1 / sqrt x. Two Newton steps, y (3 - x y^2) / 2, make it good to 24 bits; then
+//! g = x y, a step g + (n - g^2) y / 2 for the root itself, and a correction by one to the exact floor.
+//!
+//! tests/derive/fixed.py derives the table. A suffix `_q30` says that a variable counts units of 2^-30.
 
 use super::wide::{COUNTS_ZEROS, HALVES, high, product};
 
-/// 1 / sqrt x in units of 2^-15 for x in the middle of [k, k + 1) / 128, k from 32 on.
+/// 1 / sqrt x in units of 2^-15 for x in the middle of [k, k + 1) / 128, k from 32 on: floor, of 16 bits.
 static SEEDS: [u16; 128] = {
     let mut table = [0; 128];
     let mut k = 32;
     while k < 128 {
-        // sqrt(2^30 256 / (2 k + 1)).
+        // sqrt(2^30 / x), x = (2 k + 1) / 256.
         let mut seed = ((1_u64 << 38) / (2 * k as u64 + 1)).isqrt();
         if seed > 0xffff {
             seed = 0xffff;
@@ -30,20 +35,25 @@ const fn root_by<const BY_HALVES: bool>(n: u64) -> u32 {
     if n == 0 {
         return 0;
     }
+    // In [1/4, 1) of units of 2^-64.
     let (normal, shift) = if COUNTS_ZEROS && !BY_HALVES { counted(n) } else { shifted(n) };
-    // In [2^30, 2^32).
-    let x = (normal >> 32) as u32;
-    let seed = SEEDS[(x >> 25) as usize] as u32;
-    let three = 3 << 30;
-    // y in units of 2^-30, then 2^-29.
-    let y = seed * ((three - near_high::<BY_HALVES>(x, seed * seed)) >> 16);
-    let square = near_high::<BY_HALVES>(y << 1, y << 1);
-    let y = near_high::<BY_HALVES>(y, three - near_high::<BY_HALVES>(x, square));
+    let x_q32 = (normal >> 32) as u32;
+    let seed_q15 = SEEDS[(x_q32 >> 25) as usize] as u32;
+    let three_q30 = 3 << 30;
+    // 3 - x y^2 in 2^-14 times y in 2^-15 is 2^-29, and its half 2^-30.
+    let less_q30 = three_q30 - near_high::<BY_HALVES>(x_q32, seed_q15 * seed_q15);
+    let y_q30 = seed_q15 * (less_q30 >> 16);
+    // 2^-31 2^-31 = 2^-62, of which the upper half.
+    let square_q30 = near_high::<BY_HALVES>(y_q30 << 1, y_q30 << 1);
+    let less_q30 = three_q30 - near_high::<BY_HALVES>(x_q32, square_q30);
+    // 2^-30 2^-30 = 2^-60, the upper half 2^-28, and its half 2^-29.
+    let y_q29 = near_high::<BY_HALVES>(y_q30, less_q30);
     // Good to 24 bits; the residual of the square gives the rest.
-    let g = near_high::<BY_HALVES>(x, y) << 3;
-    let residual = normal.wrapping_sub(product(g, g)).cast_signed();
-    // Below 2^15 either.
-    let step = ((residual >> 26) as i32 * (y >> 15).cast_signed()) >> 21;
+    let g = near_high::<BY_HALVES>(x_q32, y_q29) << 3;
+    let residual_q64 = normal.wrapping_sub(product(g, g)).cast_signed();
+    // Below 2^15 either: a product of 2^-52, in 2^-31 after the shift, and its half in 2^-32.
+    let (residual_q38, y_q14) = ((residual_q64 >> 26) as i32, (y_q29 >> 15).cast_signed());
+    let step = (residual_q38 * y_q14) >> 21;
     let g = g as i64 + step as i64;
     let mut g = if g > 0xffff_ffff { u32::MAX } else { g as u32 };
     // Within one of the floor.

@@ -1,4 +1,4 @@
-//! A vector of the first octant turned to its angle, by a table and a small rotation.
+//! The rotation of a vector of the first octant to its angle, by a table and a small rotation.
 //!
 //! With a vector (m, n), 0 <= n <= m, t = n/m is near a t_j = j / 128, and the concentric map's angle is
 //! pi/4 t = pi/4 t_j + delta, where delta = pi/4 (n - m t_j) / m. The difference is formed without a division
@@ -6,26 +6,35 @@
 //! m - m delta^2 / 2 are as exact as the words allow; only the small second terms need the quotient, to 16
 //! bits. That a coordinate is m + 1/2 costs half an LSB, inward, and spares a bit.
 //!
-//! The vector (p, q) is turned to t_j in three shears, y' = q + p T, x = p - y' S, y = y' + x T, with S the
+//! The vector (p, q) is rotated to t_j in three shears, y' = q + p T, x = p - y' S, y = y' + x T, with S the
 //! sine and T the tangent of half the angle: three products instead of four.
 //!
 //! Coordinates m and n are in LSBs of Q31, units of 2^-31; the lengths from them in half that. A vector is
 //! shortened by m >> [`INWARD`]: at the rim, by more than all roundings together can add to its length.
+//!
+//! A suffix `_q24` says that a variable counts units of 2^-24, and so on; [`rotate_to_part`] has them.
+//! tests/derive/fixed.py derives the tables and constants.
 
 use super::wide::{HALVES, high, high_by_halves, high_signed, high_signed_by_halves, product};
 
-/// At the rim 3 units of 2^-32; nearer the centre there is room.
+/// At the rim 3 units of 2^-32; nearer the centre there is room. With 30, which is 1 unit, points of the rim
+/// leave the disc: the test `lengths_are_not_above_the_rim`, and tests/derive/fixed.py, find them.
 const INWARD: u32 = 29;
 /// pi/4 in units of 2^-62: floor.
 const QUARTER_PI: u64 = 0x3243_f6a8_885a_308d;
-/// pi/4 in units of 2^-26, less delta^2 / 96 of it at the edge of a part: what the cubic term leaves there.
-const ARC: u32 = (QUARTER_PI >> 36) as u32 - 5;
+/// pi/4 in units of 2^-26, less [`ARC_LESS`].
+const ARC: u32 = (QUARTER_PI >> 36) as u32 - ARC_LESS;
+/// What the cubic term leaves at the edge of a part, in units of 2^-26.
+///
+/// [`rotate_to_part`] takes 5/32 delta^3 for delta^3 / 6, which is delta^3 / 96 more. At the edge of a part
+/// delta = pi/4 / 256, and pi/4 delta^2 / 96 is 5.17 units.
+const ARC_LESS: u32 = 5;
 /// 4/pi in units of 2^-62.
 const FOUR_OVER_PI: i128 = 0x517c_c1b7_2722_0a94;
 /// Parts of an octant; the table has both ends.
 const PARTS: usize = 128;
 
-/// The tangent of pi/8 t_j and the sine of pi/4 t_j in units of 2^-32.
+/// The tangent of pi/8 t_j and the sine of pi/4 t_j in units of 2^-32, to the nearest.
 const ROTATIONS: [[u32; PARTS + 1]; 2] = {
     let mut table = [[0; PARTS + 1]; 2];
     let mut part = 0;
@@ -63,7 +72,8 @@ static ROTATIONS_BY_HALVES: [[[u16; 2]; 2]; PARTS + 1] = {
     table
 };
 
-/// 2^42 / m for m in the middle of [k, k + 1) 2^23, k from 32 on: nearer the centre the words are too short.
+/// 2^42 / m for m in the middle of [k, k + 1) 2^23, k from 32 on, floor: nearer the centre the words are too
+/// short.
 static RECIPROCALS: [u16; 224] = {
     let mut table = [0; 224];
     let mut k = 32;
@@ -83,34 +93,48 @@ const fn reciprocal(m: u32) -> Option<u32> {
         return None;
     }
     let crude = RECIPROCALS[k] as u32;
-    // 2^31 (2 - m crude / 2^42)
-    let two_less = ((m >> 11) * crude).wrapping_neg();
-    Some((crude * (two_less >> 15)) >> 12)
+    // m crude / 2^42 is nearly 1: (m >> 11) * crude is that in units of 2^-31, and 2^32 is 2.
+    let two_less_q31 = ((m >> 11) * crude).wrapping_neg();
+    // 2^42 / m in units of 2^-16, then 2^46 / m.
+    Some((crude * (two_less_q31 >> 15)) >> 12)
 }
 
-/// Turns (m, 0) to t_j + d / m, where `offset` is d in units of 2^-38; `reciprocal` is 2^46 / m.
+/// To units of 2^-24, which leave 16 bits of an arc of a part: from 2^-32.
+const ARC_TO_Q24: u32 = 32 - 24;
+/// `reciprocal` is 2^15 / (m 2^-31).
+const RECIPROCAL_BITS: u32 = 15;
+/// From 2^-24 2^-24 to units of 2^-32, and the half of it.
+const SAGITTA_SHIFT: u32 = 24 + 24 - 32 + 1;
+/// From 2^-32 2^-24 to units of 2^-32, and a quarter of it.
+const CUBE_SHIFT: u32 = 24 + 2;
+
+/// Rotates (m, 0) to the angle pi/4 (t_j + d / m), where j is `part`; m in units of 2^-31, d in units of
+/// 2^-38, x and y in units of 2^-32. `reciprocal` is 2^46 / m for m as the integer that it is.
 #[inline(always)]
-const fn turn(m: u32, reciprocal: u32, part: u32, offset: i32) -> (u32, u32) {
+const fn rotate_to_part(m: u32, reciprocal: u32, part: u32, d_q38: i32) -> (u32, u32) {
     let part = part as usize;
     if part > PARTS {
         // Not with a true reciprocal.
         return (0, 0);
     }
-    // Before its second term; below 2^24.
-    let q = if HALVES {
-        high_signed_by_halves(offset, [(ARC >> 16) as u16, ARC as u16])
+    // m delta = pi/4 d: 2^-38 2^-26 = 2^-64, of which the upper half; below 2^24.
+    let arc_q32 = if HALVES {
+        high_signed_by_halves(d_q38, [(ARC >> 16) as u16, ARC as u16])
     } else {
-        high_signed(offset, ARC)
+        high_signed(d_q38, ARC)
     };
-    // Of 16 bits: q and delta in units of 2^-24.
-    let short = q >> 8;
-    let delta = (short * reciprocal.cast_signed()) >> 15;
-    // m delta^2 / 2, and from it m delta^3 / 6: 5/16 is as good as 1/3.
-    let sagitta = short.wrapping_mul(delta).cast_unsigned() >> 17;
-    let third = sagitta.cast_signed() * delta;
-    let q = q - ((third + (third >> 2)) >> 26);
-    let p = 2 * m - sagitta - (m >> INWARD);
-    // Not below 0: an offset is not where t_j is 0, and elsewhere is above -m / 256.
+    // m delta, of 16 bits, and delta.
+    let arc_q24 = arc_q32 >> ARC_TO_Q24;
+    let delta_q24 = (arc_q24 * reciprocal.cast_signed()) >> RECIPROCAL_BITS;
+    // m delta^2 / 2.
+    let sagitta_q32 = arc_q24.wrapping_mul(delta_q24).cast_unsigned() >> SAGITTA_SHIFT;
+    // m delta^3 / 2. Of it 5/16, for 1/3, is 5/4 times a quarter.
+    let cube_q56 = sagitta_q32.cast_signed() * delta_q24;
+    let q = arc_q32 - ((cube_q56 + (cube_q56 >> 2)) >> CUBE_SHIFT);
+    // m cos delta; 2 m is m in units of 2^-32.
+    let p = 2 * m - sagitta_q32 - (m >> INWARD);
+    // `across` and both results in units of 2^-32. `across` is not below 0: d is not where t_j is 0, and
+    // elsewhere is above -m / 256.
     if HALVES {
         let [tan, sin] = ROTATIONS_BY_HALVES[part];
         let across = high_by_halves(p, tan).wrapping_add_signed(q);
@@ -124,14 +148,22 @@ const fn turn(m: u32, reciprocal: u32, part: u32, offset: i32) -> (u32, u32) {
     }
 }
 
+/// Half a part less 1/256 of one, in units of 2^-24 parts: what rounds to the nearest part.
+///
+/// A reciprocal is too large by at most 2^-17 (the test `every_reciprocal_is_below_and_near`), which is
+/// 2^-10 of 128 parts. With 1/256 less than half a part, the part chosen is never above the nearest one.
+const NEAREST_PART: u32 = (1 << 23) - (1 << 16);
+
 /// m cos(pi/4 n/m) and m sin(pi/4 n/m), 0 <= n <= m; `reciprocal` is 2^46 / m.
 #[inline(always)]
-const fn turned(m: u32, n: u32, reciprocal: u32) -> (u32, u32) {
+const fn rotate_by_reciprocal(m: u32, n: u32, reciprocal: u32) -> (u32, u32) {
+    // 2^31 n/m = 2^24 PARTS n/m.
+    let t = (n >> 15) * reciprocal;
     // The nearest, or in doubt the lower one.
-    let part = ((n >> 15) * reciprocal + 0x7f_0000) >> 24;
-    // n - m t_j in units of 2^-38, modulo 2^32.
-    let offset = (n << 7).wrapping_sub(m.wrapping_mul(part));
-    turn(m, reciprocal, part, offset.cast_signed())
+    let part = (t + NEAREST_PART) >> 24;
+    // d = n - m t_j, modulo 2^32: n 2^-31 is 2^7 n 2^-38, and m 2^-31 / PARTS is m 2^-38.
+    let d_q38 = (n << 7).wrapping_sub(m.wrapping_mul(part));
+    rotate_to_part(m, reciprocal, part, d_q38.cast_signed())
 }
 
 /// One point in 64 is so near the centre that it is enlarged first.
@@ -146,7 +178,7 @@ const fn enlarged(m: u32, n: u32) -> (u32, u32) {
     }
     match reciprocal(a >> 1) {
         Some(reciprocal) => {
-            let (x, y) = turned(a >> 1, b >> 1, reciprocal);
+            let (x, y) = rotate_by_reciprocal(a >> 1, b >> 1, reciprocal);
             (x >> shift, y >> shift)
         }
         None => (0, 0),
@@ -155,19 +187,21 @@ const fn enlarged(m: u32, n: u32) -> (u32, u32) {
 
 /// a cos(pi/4 b/a) and a sin(pi/4 b/a) in units of 2^-32 of a = m + 1/2 and b = n + 1/2, 0 <= n <= m < 2^31.
 #[inline(always)]
-pub(in crate::arithmetic) const fn octant(m: u32, n: u32) -> (u32, u32) {
+pub(in crate::arithmetic) const fn rotate(m: u32, n: u32) -> (u32, u32) {
     match reciprocal(m) {
-        Some(reciprocal) => turned(m, n, reciprocal),
+        Some(reciprocal) => rotate_by_reciprocal(m, n, reciprocal),
         None => enlarged(m, n),
     }
 }
 
-/// Cosine and sine of pi/4 t for an odd count t of 2^-30.
+/// Cosine and sine of pi/4 t in units of 2^-32, for an odd count t of 2^-30.
 #[inline(always)]
-pub(in crate::arithmetic) const fn unit(t: u32) -> (u32, u32) {
+pub(in crate::arithmetic) const fn cos_sin(t: u32) -> (u32, u32) {
+    // A part is 2^23 units of 2^-30.
     let part = (t + (1 << 22)) >> 23;
-    let offset = t.wrapping_sub(part << 23).cast_signed();
-    turn(0x7fff_ffff, 1 << 15, part, offset << 8)
+    let d_q30 = t.wrapping_sub(part << 23).cast_signed();
+    // m is 1, less an LSB, and 2^46 / 2^31 its reciprocal.
+    rotate_to_part(0x7fff_ffff, 1 << RECIPROCAL_BITS, part, d_q30 << 8)
 }
 
 /// Cosine and sine of pi/4 t_j in units of 2^-32, j > 0.
@@ -193,7 +227,7 @@ pub(in crate::arithmetic) fn fraction(a: u32, b: u32) -> u64 {
     }
     let [cos, sin] = if part == 0 { [u32::MAX, 0] } else { direction(part) };
     let [a, b, cos, sin] = [a, b, cos, sin].map(i128::from);
-    // At most 1/160, units of 2^-62; its fifth power is below them.
+    // At most 1/160, units of 2^-62: the arc tangent is x - x^3/3, for x^5/5 is below 2^-38.
     let tan = ((b * cos - a * sin) << 62) / (a * cos + b * sin).max(1);
     let cube = (((tan * tan) >> 62) * tan) >> 62;
     let rest = ((tan - cube / 3) * FOUR_OVER_PI) >> 62;
@@ -224,7 +258,7 @@ mod tests {
         }
     }
 
-    /// Between two parts, where the quotient decides, the turn is largest: with every reciprocal, its words
+    /// Between two parts, where the quotient decides, the small rotation is largest: with every reciprocal, its words
     /// are wide enough (a test without its assertions of overflow asserts less).
     #[test]
     fn no_word_is_too_short() {
@@ -233,7 +267,7 @@ mod tests {
                 for i in 0..128 * 8 {
                     let (part, near) = (i / 8, i % 8);
                     let n = ((u64::from(m) * (256 * (2 * part + 1) + 5 * near - 5)) >> 16) as u32;
-                    let (x, y) = octant(m, n);
+                    let (x, y) = rotate(m, n);
                     let [a, b, x, y] = [m, n, x, y].map(f64::from);
                     let angle = core::f64::consts::FRAC_PI_4 * (b / a);
                     let error = (x / 2.0 - a * angle.cos()).hypot(y / 2.0 - a * angle.sin());
@@ -267,7 +301,7 @@ mod tests {
                     if n > u64::from(m) {
                         continue;
                     }
-                    let (x, y) = octant(m, n as u32);
+                    let (x, y) = rotate(m, n as u32);
                     let [a, b] = [f64::from(m) + 0.5, n as f64 + 0.5];
                     let angle = core::f64::consts::FRAC_PI_4 * (b / a);
                     let (dx, dy) = (
@@ -290,7 +324,7 @@ mod tests {
         for i in 0..2_000_000_u32 {
             let m = 0x7fff_ffff - (mix(!i) >> (8 + i % 24));
             let n = high(mix(i), m);
-            let (x, y) = octant(m, n);
+            let (x, y) = rotate(m, n);
             worst = worst.max(f64::from(x).hypot(f64::from(y)) - 2.0 * f64::from(m) - 1.0);
         }
         assert!((-0.5..0.0).contains(&worst), "{worst}");

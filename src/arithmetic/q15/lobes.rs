@@ -1,19 +1,48 @@
 //! The lobes of Q15, with logarithms to base 2.
 //!
 //! **Power.** With L = -log2(1 - r^2) and lambda = L / (e + 1), z = 2^-lambda and
-//! sin^2 theta = 1 - 4^-lambda, and what turns the disc point into x and y is sin theta / r. At the pole that
+//! sin^2 theta = 1 - 4^-lambda. The disc point times sin theta / r gives x and y. At the pole that factor
 //! is 0/0, and 1 - z^2 has lost all digits; but with
 //!
 //! - l(r^2) = L / r^2, from 1 / ln 2 up, and
 //! - g(lambda) = (1 - 4^-lambda) / (2 ln 2 lambda), from 1 down,
 //!
-//! (sin theta / r)^2 = (2 ln 2 / (e + 1)) l g: three factors without a singularity, whose roots are a
-//! prepared number and two tables. Where r^2 >= 1/2, sin theta comes from lambda and 1 / r from a table.
+//! (sin theta / r)^2 = (2 ln 2 / (e + 1)) l g. No factor has a singularity. The root of the first is
+//! prepared with the exponent, as `spread`; those of l and g are tables. The regimes are
+//!
+//! | where | sin theta / r | function |
+//! | --- | --- | --- |
+//! | r^2 < 1/2 | sqrt l sqrt g spread | [`power_near_pole`] |
+//! | r^2 >= 1/2, lambda < 1 | (1 / r) sqrt L sqrt g spread | [`power_above_half`] |
+//! | r^2 >= 1/2, lambda >= 1 | (1 / r) sqrt(1 - z^2) | [`power_below_half`] |
+//!
+//! where "half" is z = 1/2. The second has three scales of sqrt L ([`root_of_log`]).
+//!
+//! **Units.** A suffix `_q16` says that a variable counts units of 2^-16, and so on; a number without one
+//! is a count or a Q15. All products are of 16 x 16 bits. To shift by n after adding 2^(n - 1) rounds to
+//! the nearest. A table gives 2^-32, of which `>> 16` keeps the top 16 bits.
+//!
+//! tests/derive/q15.py derives the constants.
 
 use super::disc::{Q15Disc, root_of, signed};
-use super::tables::{BEND, EXP, HALF, INVERSE_ROOT, LOG, POLE, ROOT};
+use super::tables::{BEND, EXP, HALF, LOG, POLE, RECIPROCAL_ROOT, ROOT};
 use crate::arithmetic::fixed::{FixedExponent, Q15};
 use crate::arithmetic::q31::Q31Exponent;
+
+/// 2 ln 2 in 2^-30, to the nearest.
+const TWICE_LN_2_Q30: u128 = 1_488_522_236;
+
+/// The largest sine of [`power_above_half`], in units of 2^-16 (or of 2^-16 2^-n: see there).
+///
+/// The tables round, so a sine that is nearly 1 may come out as 1 or more, which has no place in 16 bits
+/// and would leave the disc. Three units below 2^16 are more than what the rounding of 1 / r and of the
+/// factor adds in [`lifted_by_sine`], whose product would leave its word with one more.
+const LARGEST_SINE: u32 = 0xfffd;
+
+/// Half an LSB of Q15 in 2^-30.
+const HALF_LSB_Q30: u32 = 1 << 14;
+/// Half an LSB of Q15 in 2^-31.
+const HALF_LSB_Q31: u32 = 1 << 15;
 
 /// An exponent with what the power lobe needs of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,17 +60,21 @@ pub struct Q15Exponent {
 
 impl Q15Exponent {
     pub(in crate::arithmetic) const fn new(e: FixedExponent) -> Self {
-        // e + 1 in 2^-32, from 2^32 to 2^64; its reciprocal in 2^-63, from 2^63 to 2^31.
-        let e_plus_1 = e.to_bits() as u128 + (1 << 32);
-        let inverse = ((1_u128 << 95) / e_plus_1) as u64;
-        // 1, of e = 0, becomes 1 - 2^-16.
-        let (scale, shift) = normal(if inverse >> 63 == 0 { inverse } else { inverse - 1 });
-        // 2 ln 2 in 2^-30; its product with the reciprocal is in 2^-94, and the root in 2^-47.
-        const TWICE_LN_2: u128 = 1_488_522_236;
-        let (spread, spread_shift) = normal((2 * TWICE_LN_2 * inverse as u128).isqrt() as u64);
-        // A quotient of 2^-32 is 0 after 31 shifts as well.
-        let shift = if shift < 32 { shift - 1 } else { 31 };
-        Self { e, scale, shift, spread, spread_shift: spread_shift - 16, wide: Q31Exponent::new(e) }
+        // From 1 to 2^32; its reciprocal from 1 to 2^-32.
+        let e_plus_1_q32 = e.to_bits() as u128 + (1 << 32);
+        let reciprocal_q63 = ((1_u128 << 95) / e_plus_1_q32) as u64;
+        // 1, of e = 0, becomes 1 - 2^-16: 2^63 has one digit more than the others.
+        let is_1 = reciprocal_q63 >> 63 != 0;
+        let (scale, zeros) = normal(if is_1 { reciprocal_q63 - 1 } else { reciprocal_q63 });
+        // The top bit of a reciprocal in 2^-63 is worth 2; `scale`'s is worth 1/2 without a shift. A
+        // quotient of 2^-32 is 0 after 31 shifts as well.
+        let shift = if zeros < 32 { zeros - 1 } else { 31 };
+        // 2^-30 2^-63 2^-1 = 2^-94, and the root of it 2^-47.
+        let spread_q47 = (2 * TWICE_LN_2_Q30 * reciprocal_q63 as u128).isqrt() as u64;
+        // The top bit of 2^-47 in 64 bits is worth 2^16; `spread`'s is worth 1 without a shift.
+        let (spread, zeros) = normal(spread_q47);
+        let spread_shift = zeros - 16;
+        Self { e, scale, shift, spread, spread_shift, wide: Q31Exponent::new(e) }
     }
 
     /// The exponent as the user gave it.
@@ -51,15 +84,15 @@ impl Q15Exponent {
 
     /// L / (e + 1) in 2^-32, of an L < 1 in 2^-16.
     #[inline(always)]
-    const fn divide_fraction(self, log: u32) -> u32 {
-        (log * self.scale as u32) >> self.shift
+    const fn divide_fraction(self, log_q16: u32) -> u32 {
+        (log_q16 * self.scale as u32) >> self.shift
     }
 
-    /// L / (e + 1), both in 2^-16; L < 2^21.
+    /// L / (e + 1), both in 2^-16; L < 2^21 units.
     #[inline(always)]
-    const fn divide(self, log: u32) -> u32 {
+    const fn divide(self, log_q16: u32) -> u32 {
         let scale = self.scale as u32;
-        ((log >> 16) * scale + (((log & 0xffff) * scale) >> 16)) >> self.shift
+        ((log_q16 >> 16) * scale + (((log_q16 & 0xffff) * scale) >> 16)) >> self.shift
     }
 }
 
@@ -69,58 +102,65 @@ impl From<Q15Exponent> for Q31Exponent {
     }
 }
 
-/// The top 16 bits of a number, not 0, and how many zeros were above them.
+/// The top 16 bits of a number, not 0, to the nearest, and how many zeros were above them.
 const fn normal(x: u64) -> (u16, u8) {
     let zeros = x.leading_zeros();
+    // 17 bits, then 16.
     let rounded = ((x << zeros >> 47) + 1) >> 1;
     (if rounded > 0xffff { 0xffff } else { rounded as u16 }, zeros as u8)
 }
 
-/// A number from 2^-32.
+/// A number from 2^-32, toward zero.
 #[inline(always)]
-const fn height(z: u32) -> Q15 {
-    Q15::from_bits((z >> 17) as i16)
+const fn height(z_q32: u32) -> Q15 {
+    Q15::from_bits((z_q32 >> 17) as i16)
 }
 
 /// A component from 2^-31 to the nearest LSB, for the narrowest lobes have few.
 #[inline(always)]
-const fn rounded(magnitude: u32, positive: i32) -> Q15 {
-    signed((magnitude + 0x8000) >> 16, positive)
+const fn rounded(magnitude_q31: u32, positive: i32) -> Q15 {
+    signed((magnitude_q31 + HALF_LSB_Q31) >> 16, positive)
 }
 
-/// The disc point times a factor in 2^-15 2^-shift, and z. The product is below 2^32: the true one is at
-/// most 1 without a shift; with one r^2 < 1/2, and the factor is below 2 sqrt 2.
+/// The disc point times a factor in 2^-15 2^-shift, and z.
+///
+/// The product is below 2^32. Without a shift the true one is at most 1, half of that. With a shift
+/// r^2 < 1/2, and the factor is below 2 sqrt 2.
 #[inline(always)]
 const fn lifted(disc: Q15Disc, factor: u32, shift: u32, z: Q15) -> [Q15; 3] {
-    let ([x, y], [x_positive, y_positive]) = (disc.magnitude, disc.positive);
-    let (x, y) = (((x >> 15) * factor) >> shift, ((y >> 15) * factor) >> shift);
-    [rounded(x, x_positive), rounded(y, y_positive), z]
+    let ([x_q31, y_q31], [x_positive, y_positive]) = (disc.magnitude, disc.positive);
+    let (x_q16, y_q16) = (x_q31 >> 15, y_q31 >> 15);
+    let (x_q31, y_q31) = ((x_q16 * factor) >> shift, (y_q16 * factor) >> shift);
+    [rounded(x_q31, x_positive), rounded(y_q31, y_positive), z]
 }
 
-/// The disc point times (1 / r) sin theta, for r^2 >= 1/2 and sin theta = sine 2^-14 2^-shift < 1; and z. The
-/// product is below 2^32: with 1 / r exact it is at most 2^16 sine, and the three units that sine is from
-/// 2^16, at least, are more than what rounding adds. At last `half` is added, in 2^-30: half an LSB, or nothing
-/// where the rim is near.
+/// The disc point times (1 / r) sin theta, for r^2 >= 1/2 and sin theta = sine 2^-14 2^-shift < 1; and z.
+///
+/// The product is below 2^32: with 1 / r exact it is at most 2^16 sine, and the three units that sine is
+/// from 2^16, at least, are more than what rounding adds. At last `half_q30` is added: half an LSB, or
+/// nothing where the rim is near.
 #[inline(always)]
-const fn turned(disc: Q15Disc, sine: u32, shift: u32, half: u32, z: Q15) -> [Q15; 3] {
-    let inverse = INVERSE_ROOT.falling(disc.r2 << 1) >> 16;
-    let factor = (inverse * sine + (1 << 14)) >> 15;
-    let ([x, y], [x_positive, y_positive]) = (disc.magnitude, disc.positive);
-    // In 2^-30.
-    let (x, y) = (((x >> 15) * factor) >> shift, ((y >> 15) * factor) >> shift);
-    [signed((x + half) >> 15, x_positive), signed((y + half) >> 15, y_positive), z]
+const fn lifted_by_sine(disc: Q15Disc, sine: u32, shift: u32, half_q30: u32, z: Q15) -> [Q15; 3] {
+    // The table is of the half of 1 / r, over r^2 = 1/2 + x / 2.
+    let reciprocal_q15 = RECIPROCAL_ROOT.falling(disc.r2 << 1) >> 16;
+    // 2^-15 2^-14 2^-shift, then 2^-14 2^-shift, to the nearest.
+    let factor = (reciprocal_q15 * sine + (1 << 14)) >> 15;
+    let ([x_q31, y_q31], [x_positive, y_positive]) = (disc.magnitude, disc.positive);
+    let (x_q16, y_q16) = (x_q31 >> 15, y_q31 >> 15);
+    let (x_q30, y_q30) = ((x_q16 * factor) >> shift, (y_q16 * factor) >> shift);
+    [signed((x_q30 + half_q30) >> 15, x_positive), signed((y_q30 + half_q30) >> 15, y_positive), z]
 }
 
 /// z = 1 - r^2, sin theta / r = sqrt(1 + (1 - r^2)).
 #[inline(always)]
 pub(in crate::arithmetic) const fn uniform(disc: Q15Disc) -> [Q15; 3] {
-    let ([x, y], [x_positive, y_positive]) = (disc.magnitude, disc.positive);
+    let ([x_q31, y_q31], [x_positive, y_positive]) = (disc.magnitude, disc.positive);
     // (1 + (1 - r^2)) / 4 is in [1/4, 1/2); its root in 2^-16 is that of 1 + (1 - r^2) in 2^-15.
-    let factor = ROOT.rising((1 << 30) + (disc.one_minus_r2() >> 2)) >> 16;
-    let (x, y) = ((x >> 15) * factor, (y >> 15) * factor);
+    let factor_q15 = ROOT.rising((1 << 30) + (disc.one_minus_r2() >> 2)) >> 16;
+    let (x_q31, y_q31) = ((x_q31 >> 15) * factor_q15, (y_q31 >> 15) * factor_q15);
     // From 1 - LSB to LSB: an LSB less at the pole, and none less at the rim.
     let z = 0x7fff - ((disc.r2 - (disc.r2 >> 15)) >> 17);
-    [signed(x >> 16, x_positive), signed(y >> 16, y_positive), Q15::from_bits(z as i16)]
+    [signed(x_q31 >> 16, x_positive), signed(y_q31 >> 16, y_positive), Q15::from_bits(z as i16)]
 }
 
 /// z = sqrt(1 - r^2).
@@ -133,47 +173,101 @@ pub(in crate::arithmetic) const fn cosine(disc: Q15Disc) -> [Q15; 3] {
 /// z = (1 - r^2)^(1 / (e + 1)).
 #[inline]
 pub(in crate::arithmetic) const fn power(exponent: Q15Exponent, disc: Q15Disc) -> [Q15; 3] {
-    let r2 = disc.r2;
-    let spread = exponent.spread as u32;
-    if r2 >> 31 == 0 {
-        let pole = POLE.rising(r2 << 1) >> 16;
-        // l = pole^2 in 2^-30, then L in 2^-16.
-        let log = (((pole * pole) >> 15) * (r2 >> 16) + (1 << 14)) >> 15;
-        let lambda = exponent.divide_fraction(log);
-        let bend = BEND.falling(lambda) >> 16;
-        let factor = (((pole * bend) >> 16) * spread) >> 15;
-        return lifted(disc, factor, exponent.spread_shift as u32, height(EXP.falling(lambda)));
+    if disc.r2 >> 31 == 0 {
+        return power_near_pole(exponent, disc);
     }
-    // The 1, of 2^-32, ends the loop whatever r^2 is.
-    let (mut mantissa, mut whole) = ((disc.one_minus_r2() << 1) | 1, 2);
-    while mantissa >> 31 == 0 {
-        mantissa <<= 1;
+    let log_q16 = log_of_complement(disc);
+    let lambda_q16 = exponent.divide(log_q16);
+    // 2^-(the fraction of lambda), plus HALF.
+    let power_q32 = EXP.falling(lambda_q16 << 16);
+    let whole = lambda_q16 >> 16;
+    if whole == 0 {
+        return power_above_half(exponent, disc, log_q16, lambda_q16, power_q32);
+    }
+    power_below_half(disc, whole, power_q32)
+}
+
+/// r^2 < 1/2, so L < 1: sin theta / r = sqrt l sqrt g spread.
+#[inline(always)]
+const fn power_near_pole(exponent: Q15Exponent, disc: Q15Disc) -> [Q15; 3] {
+    let spread = exponent.spread as u32;
+    let r2_q32 = disc.r2;
+    // sqrt l; the table is of its half, over r^2 = x / 2.
+    let pole_q15 = POLE.rising(r2_q32 << 1) >> 16;
+    let l_q15 = (pole_q15 * pole_q15) >> 15;
+    // 2^-15 2^-16, then 2^-16, to the nearest.
+    let log_q16 = (l_q15 * (r2_q32 >> 16) + (1 << 14)) >> 15;
+    let lambda_q32 = exponent.divide_fraction(log_q16);
+    // sqrt g.
+    let bend_q16 = BEND.falling(lambda_q32) >> 16;
+    let root_q15 = (pole_q15 * bend_q16) >> 16;
+    // 2^-15 2^-spread_shift.
+    let factor = (root_q15 * spread) >> 15;
+    lifted(disc, factor, exponent.spread_shift as u32, height(EXP.falling(lambda_q32)))
+}
+
+/// L = -log2(1 - r^2) in 2^-16, of r^2 >= 1/2.
+#[inline(always)]
+const fn log_of_complement(disc: Q15Disc) -> u32 {
+    // 1 - r^2 = mantissa 2^-whole with a mantissa in [1, 2) when the loop has ended. The 1, of 2^-32,
+    // ends it whatever r^2 is.
+    let (mut mantissa_q31, mut whole) = ((disc.one_minus_r2() << 1) | 1, 2);
+    while mantissa_q31 >> 31 == 0 {
+        mantissa_q31 <<= 1;
         whole += 1;
     }
-    // L = whole - log2 of a mantissa in [1, 2).
-    let log = (whole << 16) - (LOG.rising(mantissa << 1) >> 16);
-    let lambda = exponent.divide(log);
-    let z = EXP.falling(lambda << 16);
-    let whole = lambda >> 16;
-    if whole == 0 {
-        // sin theta = spread sqrt L sqrt g.
-        let bend = BEND.falling(lambda << 16) >> 16;
-        // sqrt L = root 2^scale. L >= 4 takes e > 3 to be here, and the spread has a shift; L >= 16 takes e > 15,
-        // and it has two.
-        let (part, scale) = match log >> 18 {
-            0 => (log << 14, 1),
-            1..4 => (log << 12, 2),
-            _ => (log << 10, 3),
-        };
-        let root = ROOT.rising(part) >> 16;
-        let sine = (((root * bend + (1 << 15)) >> 16) * spread + (1 << 15)) >> 16;
-        let sine = if sine < 0xfffd { sine } else { 0xfffd };
-        return turned(disc, sine, exponent.spread_shift as u32 + 1 - scale, 0x4000, height(z));
-    }
-    // z <= 1/2: nothing cancels. Where e is small, sin theta is 1 but for the last digits over a wide rim.
-    let z = (z - HALF) >> whole;
-    let square = (z >> 16) * (z >> 16);
-    let sine = (ROOT.rising(!square) - HALF) >> 16;
-    let z = height(z + HALF);
-    turned(disc, sine, 2, 0, if z.to_bits() == 0 { Q15::LSB } else { z })
+    // The shift drops the mantissa's 1: what is left of it is in 2^-32.
+    (whole << 16) - (LOG.rising(mantissa_q31 << 1) >> 16)
+}
+
+/// sqrt L = root 2^-16 2^scale: root and scale; of an L >= 1 in 2^-16.
+///
+/// [`ROOT`] takes L / 4^scale, in [1/4, 1), in 2^-32. L >= 4 takes e > 3 to be here, and the spread has a
+/// shift; L >= 16 takes e > 15, and it has two: spread_shift + 1 is never below scale.
+#[inline(always)]
+const fn root_of_log(log_q16: u32) -> (u32, u32) {
+    let (part_q32, scale) = match log_q16 >> 18 {
+        0 => (log_q16 << 14, 1),
+        1..4 => (log_q16 << 12, 2),
+        _ => (log_q16 << 10, 3),
+    };
+    (ROOT.rising(part_q32) >> 16, scale)
+}
+
+/// r^2 >= 1/2 and lambda < 1, so z > 1/2: sin theta = sqrt L sqrt g spread. `power_q32` is z plus
+/// [`HALF`].
+#[inline(always)]
+const fn power_above_half(
+    exponent: Q15Exponent,
+    disc: Q15Disc,
+    log_q16: u32,
+    lambda_q16: u32,
+    power_q32: u32,
+) -> [Q15; 3] {
+    let spread = exponent.spread as u32;
+    // sqrt g.
+    let bend_q16 = BEND.falling(lambda_q16 << 16) >> 16;
+    let (root, scale) = root_of_log(log_q16);
+    // 2^-16 2^scale, to the nearest.
+    let product = (root * bend_q16 + (1 << 15)) >> 16;
+    // 2^-16 2^-15 2^-spread_shift 2^scale, then 2^-15 2^-spread_shift 2^scale, to the nearest: so
+    // 2^-14 2^-(spread_shift + 1 - scale).
+    let sine = (product * spread + (1 << 15)) >> 16;
+    let sine = if sine < LARGEST_SINE { sine } else { LARGEST_SINE };
+    let shift = exponent.spread_shift as u32 + 1 - scale;
+    lifted_by_sine(disc, sine, shift, HALF_LSB_Q30, height(power_q32))
+}
+
+/// r^2 >= 1/2 and lambda >= 1, so z <= 1/2 and nothing cancels in sin^2 theta = 1 - z^2. `whole` is the
+/// floor of lambda, and `power_q32` is 2^-(the rest) plus [`HALF`].
+///
+/// Where e is small, sin theta is 1 but for the last digits over a wide rim: all is rounded toward zero.
+#[inline(always)]
+const fn power_below_half(disc: Q15Disc, whole: u32, power_q32: u32) -> [Q15; 3] {
+    let z_q32 = (power_q32 - HALF) >> whole;
+    let z2_q32 = (z_q32 >> 16) * (z_q32 >> 16);
+    // 1 - z^2, less 2^-32: the complement needs no constant. In 2^-16 = 2^-14 2^-2: a shift of 2.
+    let sine_q16 = (ROOT.rising(!z2_q32) - HALF) >> 16;
+    let z = height(z_q32 + HALF);
+    lifted_by_sine(disc, sine_q16, 2, 0, if z.to_bits() == 0 { Q15::LSB } else { z })
 }

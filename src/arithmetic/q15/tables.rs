@@ -1,10 +1,13 @@
 //! The tables of Q15, computed when the crate is compiled; an image holds those that its maps read.
 //!
-//! A chord lies to one side of its curve, so each is moved by half of the largest distance, f'' w^2 / 16 for
-//! a bucket of width w: what is left is that much to both sides.
+//! A chord lies to one side of its curve, at most f'' w^2 / 8 from it in a bucket of width w. Each chord is
+//! moved by half of that: what is left is f'' w^2 / 16 to both sides.
+//!
+//! tests/derive/q15.py derives every table and constant from its definition, and shows for those that were
+//! chosen by a test that the next value fails.
 
 /// Cosine and sine of pi/4 t, by their series; for t in [0, 2].
-const fn octant(t: f64) -> [f64; 2] {
+const fn cos_sin(t: f64) -> [f64; 2] {
     let angle = core::f64::consts::FRAC_PI_4 * t;
     let (mut cos, mut sin, mut term) = (0.0, 0.0, 1.0);
     let mut n = 0;
@@ -63,7 +66,7 @@ enum Function {
     /// sqrt x.
     Root,
     /// 1 / sqrt(1/2 + x / 2).
-    InverseRoot,
+    ReciprocalRoot,
     /// log2(1 + x).
     Log,
     /// 2^-x.
@@ -79,7 +82,7 @@ const fn value(function: Function, x: f64) -> f64 {
     let x0 = if x < 1e-6 && x > -1e-6 { 1e-6 } else { x };
     match function {
         Function::Root => sqrt(x),
-        Function::InverseRoot => 1.0 / sqrt(0.5 + 0.5 * x),
+        Function::ReciprocalRoot => 1.0 / sqrt(0.5 + 0.5 * x),
         Function::Log => log2(1.0 + x),
         Function::Exp => exp2_neg(x),
         Function::Pole => sqrt(-log2(1.0 - 0.5 * x0) / (0.5 * x0)),
@@ -89,17 +92,36 @@ const fn value(function: Function, x: f64) -> f64 {
 
 /// Chords of a function of [0, 1) over `N` buckets; its argument in 2^-32.
 ///
-/// A word is the value at its bucket's beginning, 19 bits of 2^-19, above what it changes by over the
-/// bucket, 12 bits of 2^-17, and a 0. The value at a place within the bucket, of 15 bits, is the whole word
-/// plus (or minus) their product: one table, one product and one sum.
+/// A word has the value at the beginning of its bucket and the change over the bucket:
+///
+/// ```text
+/// bit 31                          13 12                  1   0
+///    +------------------------------+----------------------+---+
+///    | value, 19 bits of 2^-19      | change, 12 bits of   | 0 |
+///    | = 2^13 units of 2^-32        | 2^-17 a bucket       |   |
+///    +------------------------------+----------------------+---+
+/// ```
+///
+/// A bucket has 2^15 places. A change of 2^-17 a bucket is one of 2^-32 a place, so the value at a place is
+/// the whole word plus (or minus) change times place: one table, one product and one sum. The low field,
+/// twice the change, is read as part of the value; the value is chosen with that in mind.
 #[derive(Clone, Copy)]
 pub(super) struct Chords<const N: usize>([u32; N]);
 
+/// The largest change: 12 bits.
 const CHANGE: u32 = (1 << 12) - 1;
+/// The bits of a place within a bucket.
+const PLACE_BITS: u32 = 15;
+/// The places of a bucket.
+const PLACES: u32 = 1 << PLACE_BITS;
+/// The bits of a word below its value: the change and the 0.
+const LOW_BITS: u32 = 13;
+/// The least step of a word's value, in 2^-32.
+const STEP: u64 = 1 << LOW_BITS;
 
 impl<const N: usize> Chords<N> {
-    /// The function times `scale`, plus a bias of 2^-32 that is another where the chords begin, and at 1; from
-    /// a bucket on.
+    /// The function times `scale` plus a bias, from the bucket `from` on. The bias is in 2^-32; `ends` are the
+    /// biases at the first end of the chords and at 1.
     const fn new(function: Function, from: usize, scale: f64, bias: f64, ends: [f64; 2]) -> Self {
         const ONE: f64 = 4_294_967_296.0;
         let (mut words, width, mut i) = ([0; N], 1.0 / N as f64, from);
@@ -112,15 +134,18 @@ impl<const N: usize> Chords<N> {
             let last = (last - 0.5 * bend) * ONE + if i == N - 1 { ends[1] } else { bias };
             // 1 has no place.
             let (first, last) = (first.min(ONE - 1.0), last.min(ONE - 1.0));
-            let change = ((last - first).abs() / 32_768.0 + 0.5) as u32;
+            let change = ((last - first).abs() / PLACES as f64 + 0.5) as u32;
             assert!(change <= CHANGE);
-            let rise = if last < first { 0 } else { change as u64 * 32_767 };
-            // Exact in the middle of the bucket, and less the word's low bits, which add to what is read.
-            let half = 16_384.0 * if last < first { -(change as f64) } else { change as f64 };
+            // What the last place adds.
+            let rise = if last < first { 0 } else { change as u64 * (PLACES - 1) as u64 };
+            // Exact in the middle of the bucket, and less the word's low field, which adds to what is read.
+            let middle = (PLACES / 2) as f64;
+            let half = middle * if last < first { -(change as f64) } else { change as f64 };
             let begin = 0.5 * (first + last) - half - 2.0 * change as f64;
-            let mut begin = (begin + 4_096.0) as u64 & !0x1fff;
+            // To the nearest step, or the last one that keeps every place below 1.
+            let mut begin = (begin + (STEP / 2) as f64) as u64 & !(STEP - 1);
             while begin + 2 * change as u64 + rise >= 1 << 32 {
-                begin -= 1 << 13;
+                begin -= STEP;
             }
             words[i] = begin as u32 | change << 1;
             i += 1;
@@ -132,7 +157,7 @@ impl<const N: usize> Chords<N> {
     #[inline(always)]
     const fn word(&self, x: u32) -> (u32, u32) {
         let bits = N.ilog2();
-        (self.0[(x >> (32 - bits)) as usize & (N - 1)], (x << bits) >> 17)
+        (self.0[(x >> (32 - bits)) as usize & (N - 1)], (x << bits) >> (32 - PLACE_BITS))
     }
 
     #[inline(always)]
@@ -148,19 +173,23 @@ impl<const N: usize> Chords<N> {
     }
 }
 
-/// Half an LSB in 2^-32: what is then shifted to LSBs is rounded.
+/// Half an LSB of Q15 in 2^-32: a shift to LSBs then rounds to the nearest.
 pub(super) const HALF: u32 = 1 << 16;
 const HALF_LSB: f64 = HALF as f64;
-/// Half of 2^-16.
-const HALF_16: f64 = 32_768.0;
+/// Half of 2^-16 in 2^-32: a shift to 16 bits then rounds to the nearest.
+const HALF_16: f64 = (1 << 15) as f64;
+/// The bias of [`ROOT`] at 1/4, which is the rim of the uniform lobe.
+///
+/// The largest multiple of 0.05 half LSBs with which no point of the uniform lobe leaves the disc.
+/// `python3 tests/derive/q15.py --search` finds it; the exhaustive test (tests/q15) confirms it.
+const ROOT_AT_RIM: f64 = -0.15 * HALF_LSB;
 
-/// sqrt x of x >= 1/4, plus [`HALF`]. Next to 1/4 it is that much smaller than the curve that the uniform lobe
-/// stays inside at the rim.
+/// sqrt x of x >= 1/4, plus [`HALF`], but for the bucket at 1/4.
 pub(super) const ROOT: Chords<128> =
-    Chords::new(Function::Root, 32, 1.0, HALF_LSB, [-0.15 * HALF_LSB, HALF_LSB]);
+    Chords::new(Function::Root, 32, 1.0, HALF_LSB, [ROOT_AT_RIM, HALF_LSB]);
 /// 1 / sqrt(1/2 + x / 2), halved.
-pub(super) const INVERSE_ROOT: Chords<128> =
-    Chords::new(Function::InverseRoot, 0, 0.5, HALF_16, [HALF_16; 2]);
+pub(super) const RECIPROCAL_ROOT: Chords<128> =
+    Chords::new(Function::ReciprocalRoot, 0, 0.5, HALF_16, [HALF_16; 2]);
 /// log2(1 + x).
 pub(super) const LOG: Chords<64> = Chords::new(Function::Log, 0, 1.0, HALF_16, [HALF_16; 2]);
 /// 2^-x, plus [`HALF`].
@@ -209,7 +238,7 @@ pub(super) const LINES: [Lines; 64] = {
     let mut i = 0;
     while i < lines.len() {
         let centre = (i as f64 + 0.5) / BUCKETS as f64;
-        let [cos, sin] = octant(centre);
+        let [cos, sin] = cos_sin(centre);
         let angle = core::f64::consts::FRAC_PI_4;
         let [a, b] = line(cos * (1.0 - INWARD), -angle * sin, centre);
         let [c, d] = line(sin * (1.0 - INWARD), angle * cos, centre);

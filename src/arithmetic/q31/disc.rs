@@ -2,7 +2,7 @@
 
 use crate::arithmetic::fixed::Q31;
 use crate::arithmetic::fixed::root::root;
-use crate::arithmetic::fixed::rotation::{octant, unit};
+use crate::arithmetic::fixed::rotation::{cos_sin, rotate};
 use crate::arithmetic::fixed::wide::product;
 use crate::coordinates::{Angle, fold, fold_angle};
 
@@ -68,10 +68,10 @@ pub(super) const fn concentric<const R2: bool>([u, v]: [u32; 2]) -> Q31Disc {
     let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));
     let positive = [!sign_u, !sign_v];
     if v > u {
-        let (y, x) = octant(v, u);
+        let (y, x) = rotate(v, u);
         Q31Disc::new(x, y, positive, r2_of::<R2>(v))
     } else {
-        let (x, y) = octant(u, v);
+        let (x, y) = rotate(u, v);
         Q31Disc::new(x, y, positive, r2_of::<R2>(u))
     }
 }
@@ -85,7 +85,7 @@ const fn r2_of<const R2: bool>(m: u32) -> u64 {
 #[inline(always)]
 pub(super) const fn polar([u, v]: [u32; 2]) -> Q31Disc {
     let Angle { below, left, steep, within } = fold_angle(u);
-    let (long, short) = unit(2 * within + 1);
+    let (long, short) = cos_sin(2 * within + 1);
     let (cos, sin) = if steep != 0 { (short, long) } else { (long, short) };
     let r2 = (2 * v as u64 + 1) << 31;
     let r = root(r2);

@@ -12,12 +12,12 @@ use crate::arithmetic::fixed::{FixedExponent, Q31};
 pub struct Q31Exponent {
     value: FixedExponent,
     /// 1 / (e + 1).
-    inverse: Scaled,
+    reciprocal: Scaled,
 }
 
 impl Q31Exponent {
     pub(in crate::arithmetic) const fn new(value: FixedExponent) -> Self {
-        Self { value, inverse: plus_1(value).reciprocal() }
+        Self { value, reciprocal: plus_1(value).reciprocal() }
     }
 
     /// The exponent as the user gave it.
@@ -37,7 +37,7 @@ const fn plus_1(e: FixedExponent) -> Scaled {
 
 #[inline]
 pub(super) fn lift(exponent: Q31Exponent, disc: Q31Disc) -> [Q31; 3] {
-    let log_z = log(disc.r2, disc.one_minus_r2).times(exponent.inverse);
+    let log_z = log(disc.r2, disc.one_minus_r2).times(exponent.reciprocal);
     let z = exp(log_z);
     let s2 = fall(log_z.doubled(), high_64(z, z));
     let r2 = Scaled::new(disc.r2, 0);
