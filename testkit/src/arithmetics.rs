@@ -7,21 +7,21 @@ use hemidisc::arithmetic::Arithmetic;
 use hemidisc::invariant::Exact;
 use std::f64::consts::FRAC_1_PI;
 
-/// Calls a macro with the list of arithmetics. A row has the feature, the name of a test, the type,
-/// the bits of a coordinate that it reads, the error of its density at a given point, and the crate
-/// whose version decides the bytes.
+/// Calls a macro with the list of arithmetics. A row has the condition on features, the name of a
+/// test, the type, the bits of a coordinate that it reads, the error of its density at a given
+/// point, and the crate whose version decides the bytes.
 #[macro_export]
 macro_rules! each_arithmetic {
     ($macro:path, $($argument:tt)*) => {
         $macro! {
             [$($argument)*]
-            "libm" libm_f64 LibmF64 32 (f64::EPSILON / 2.0) Some("libm");
-            "libm" libm_f32 LibmF32 32 (EPS32) Some("libm");
-            "libm" fast_f32 FastF32 32 (EPS32) None;
-            "micromath" micromath_f32 MicromathF32 32 (1e-4) Some("micromath");
-            "fixed-point" q31 Q31 32 (hemidisc::Q31::LSB.to_f64()) None;
-            "fixed-point" q15 Q15 16 (hemidisc::Q15::LSB.to_f64()) None;
-            "fixed-point" q15_div Q15Div 16 (hemidisc::Q15::LSB.to_f64()) None;
+            (feature = "libm") libm_f64 LibmF64 32 (f64::EPSILON / 2.0) Some("libm");
+            (feature = "libm") libm_f32 LibmF32 32 (EPS32) Some("libm");
+            (all()) fast_f32 FastF32 32 (EPS32) None;
+            (feature = "micromath") micromath_f32 MicromathF32 32 (1e-4) Some("micromath");
+            (feature = "fixed-point") q31 Q31 32 (hemidisc::Q31::LSB.to_f64()) None;
+            (feature = "fixed-point") q15 Q15 16 (hemidisc::Q15::LSB.to_f64()) None;
+            (feature = "fixed-point") q15_div Q15Div 16 (hemidisc::Q15::LSB.to_f64()) None;
         }
     };
 }
@@ -34,11 +34,11 @@ macro_rules! test_each_arithmetic {
         $crate::each_arithmetic! { $crate::test_each_arithmetic, $run }
     };
     ([$run:ident] $(
-        $feature:literal $test:ident $arithmetic:ident $bits:literal $error:tt $library:expr;
+        $condition:tt $test:ident $arithmetic:ident $bits:literal $error:tt $library:expr;
     )*) => {
         mod $run {
             $(
-                #[cfg(feature = $feature)]
+                #[cfg $condition]
                 #[test]
                 fn $test() {
                     super::$run::<hemidisc::$arithmetic>();
@@ -69,10 +69,10 @@ pub trait EachArithmetic {
 
 macro_rules! implement {
     ([] $(
-        $feature:literal $test:ident $arithmetic:ident $bits:literal $error:tt $library:expr;
+        $condition:tt $test:ident $arithmetic:ident $bits:literal $error:tt $library:expr;
     )*) => {
         $(
-            #[cfg(feature = $feature)]
+            #[cfg $condition]
             impl Tested for hemidisc::$arithmetic {
                 const BITS: u32 = $bits;
                 const DENSITY_ERROR: f64 = $error;
@@ -83,7 +83,7 @@ macro_rules! implement {
         /// Visits the arithmetics of this build.
         pub fn every_arithmetic(visitor: &mut impl EachArithmetic) {
             $(
-                #[cfg(feature = $feature)]
+                #[cfg $condition]
                 visitor.each::<hemidisc::$arithmetic>();
             )*
         }
