@@ -5,16 +5,14 @@
 //! is left out: its points are the caller's.
 
 use crate::arithmetic::{Arithmetic, Real, Root};
+use crate::catalogue::Parameters;
 use crate::domain::{Split, Stream};
 use crate::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
 use crate::error::{Axis, Error};
 use crate::frame::{About, Frame};
 use crate::map::{Concentric, Cosine, Map, Polar, Power, Uniform, UnitSquare};
 use crate::points::Points;
-use crate::sequence::{
-    Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sequence,
-    Shuffled, Sobol, SobolOwen,
-};
+use crate::sequence::{Sequence, Shuffled};
 use crate::{Coordinates, Domain};
 use arbitrary::{Arbitrary, Unstructured};
 
@@ -43,36 +41,42 @@ made_of! {
     [] Stream: Domain => |domain| Ok(domain.stream());
 }
 
-/// A grid that is neither empty nor larger than a `u32` counts.
-fn grid([columns, rows]: [u32; 2]) -> [u32; 2] {
-    let columns = columns.max(1);
-    [columns, rows.clamp(1, u32::MAX / columns)]
+/// Any parameters as the constructors of sequences accept them.
+fn accepted(parameters: Parameters) -> Parameters {
+    let columns = parameters.columns.max(1);
+    let rows = parameters.rows.clamp(1, u32::MAX / columns);
+    Parameters { columns, rows, count: parameters.count.max(1), ..parameters }
 }
 
+fn hint_of<'a, T: Arbitrary<'a>>(_: T, depth: usize) -> (usize, Option<usize>) {
+    T::size_hint(depth)
+}
+
+/// Every sequence, of as many parameters as its constructor takes, in their order.
+macro_rules! sequences {
+    ($($file:ident $sequence:ident $name:literal $kind:ident $new:ident($($part:ident),*);)*) => {$(
+        impl<'a> Arbitrary<'a> for crate::sequence::$sequence {
+            #[allow(unused, reason = "a constructor may take nothing")]
+            fn arbitrary(u: &mut Unstructured<'a>) -> arbitrary::Result<Self> {
+                let mut parameters = Parameters::new(1, 0);
+                $(parameters.$part = u.arbitrary()?;)*
+                let parameters = accepted(parameters);
+                let make = || Ok::<_, Error>(made_by!($kind Self::$new($(parameters.$part),*)));
+                // None is refused, as `tests/arbitrary.rs` shows.
+                make().map_err(|_| arbitrary::Error::IncorrectFormat)
+            }
+
+            #[allow(unused, reason = "a constructor may take nothing")]
+            fn size_hint(depth: usize) -> (usize, Option<usize>) {
+                let parameters = Parameters::new(1, 0);
+                arbitrary::size_hint::and_all(&[$(hint_of(parameters.$part, depth)),*])
+            }
+        }
+    )*};
+}
+for_each_sequence!(sequences);
+
 made_of! {
-    [] Regular: [u32; 2] => |shape| {
-        let [m, n] = grid(shape);
-        Self::new(m, n)
-    };
-    [] Random: u32 => |seed| Ok(Self::new(seed));
-    [] Jittered: ([u32; 2], u32) => |(shape, seed)| {
-        let [m, n] = grid(shape);
-        Self::new(m, n, seed)
-    };
-    [] NRooks: [u32; 2] => |[count, seed]| Self::new(count.max(1), seed);
-    [] MultiJittered: ([u32; 2], u32) => |(shape, seed)| {
-        let [m, n] = grid(shape);
-        Self::new(m, n, seed)
-    };
-    [] Correlated: ([u32; 2], u32) => |(shape, seed)| {
-        let [m, n] = grid(shape);
-        Self::new(m, n, seed)
-    };
-    [] Hammersley: u32 => |count| Self::new(count.max(1));
-    [] Halton: () => |()| Ok(Self::new());
-    [] Sobol: u32 => |seed| Ok(Self::new(seed));
-    [] SobolOwen: Domain => |domain| Ok(Self::in_domain(domain));
-    [] R2: u32 => |seed| Ok(Self::new(seed));
     [S: Sequence + Arbitrary<'a>]
     Shuffled<S>: (S, Domain) => |(sequence, domain)| Ok(Self::new(sequence, domain));
 }

@@ -24,36 +24,24 @@ use crate::error::Error;
 use core::fmt::{Debug, Display};
 use core::str::FromStr;
 
-mod fast_f32;
 #[cfg(feature = "fixed-point")]
 mod fixed;
 mod float;
-#[cfg(feature = "libm")]
-mod libm_f32;
-#[cfg(feature = "libm")]
-mod libm_f64;
-#[cfg(feature = "micromath")]
-mod micromath_f32;
-#[cfg(feature = "fixed-point")]
-mod q15;
-#[cfg(feature = "fixed-point")]
-mod q15_div;
-#[cfg(feature = "fixed-point")]
-mod q31;
 
-pub use fast_f32::FastF32;
+macro_rules! modules {
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $facts:tt;)*) => {$(
+        #[$cfg]
+        mod $file;
+        #[$cfg]
+        pub use $file::$arithmetic;
+    )*};
+}
+for_each_arithmetic!(modules);
+
 #[cfg(feature = "fixed-point")]
-pub use fixed::{FixedExponent, Q15, Q31};
+pub use fixed::FixedExponent;
 pub(crate) use float::RealKernel;
 pub use float::{DiscPoint, Float, Real, Root};
-#[cfg(feature = "libm")]
-pub use libm_f32::LibmF32;
-#[cfg(feature = "libm")]
-pub use libm_f64::LibmF64;
-#[cfg(feature = "micromath")]
-pub use micromath_f32::MicromathF32;
-#[cfg(feature = "fixed-point")]
-pub use q15_div::Q15Div;
 
 /// A number type and the kernels of all maps on it. Sealed: [`Float`] is the way to bring another
 /// library.

@@ -1,7 +1,7 @@
 //! The families' lists: every sequence, map and arithmetic by name.
 //!
-//! Tests, benches, digests and command lines are driven by these lists, so that a new member is one
-//! file and one line here. A member has a type of its own, so a list is walked by a visitor.
+//! Tests, benches, digests and command lines walk these lists. A member has a type of its own, so a
+//! list is walked by a visitor. `lists.rs` has a line for each member.
 //!
 //! ```
 //! use hemidisc::catalogue::{SequenceVisitor, sequences};
@@ -18,12 +18,11 @@
 //! ```
 
 use crate::arithmetic::Arithmetic;
+use crate::domain::Domain;
 use crate::error::Error;
-use crate::map::{Concentric, Cosine, Invert, Polar, Power, Uniform};
-use crate::sequence::{
-    Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sequence,
-    Sobol, SobolOwen,
-};
+use crate::map::Invert;
+use crate::sequence::Sequence;
+use crate::{hemisphere, map, sequence};
 
 /// Sees every sequence in turn.
 pub trait SequenceVisitor {
@@ -56,53 +55,99 @@ pub const fn grid(count: u32) -> [u32; 2] {
     [columns, if columns == 0 { 0 } else { count.div_ceil(columns) }]
 }
 
-/// The names of all sequences, in the order in which they are visited.
-pub const SEQUENCES: &[&str] = &[
-    "regular",
-    "random",
-    "jittered",
-    "nrooks",
-    "multi-jittered",
-    "correlated",
-    "hammersley",
-    "halton",
-    "sobol",
-    "sobol-owen",
-    "r2",
-];
+/// What the constructors of sequences take.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameters {
+    /// Columns of a grid.
+    pub columns: u32,
+    /// Rows of a grid.
+    pub rows: u32,
+    /// Points of a set without a grid.
+    pub count: u32,
+    /// A seed.
+    pub seed: u32,
+    /// A domain.
+    pub domain: Domain,
+}
 
-/// Visits every sequence: the sets with `count` points (grids of [`grid`]`(count)`), the endless
-/// ones as they are.
-///
-/// # Errors
-/// [`Error::EmptyGrid`] for a `count` of 0.
-pub fn sequences(count: u32, seed: u32, visitor: &mut impl SequenceVisitor) -> Result<(), Error> {
-    let [columns, rows] = grid(count);
-    visitor.visit("regular", Regular::new(columns, rows)?);
-    visitor.visit("random", Random::new(seed));
-    visitor.visit("jittered", Jittered::new(columns, rows, seed)?);
-    visitor.visit("nrooks", NRooks::new(count, seed)?);
-    visitor.visit("multi-jittered", MultiJittered::new(columns, rows, seed)?);
-    visitor.visit("correlated", Correlated::new(columns, rows, seed)?);
-    visitor.visit("hammersley", Hammersley::new(count)?);
-    visitor.visit("halton", Halton::new());
-    visitor.visit("sobol", Sobol::new(seed));
-    visitor.visit("sobol-owen", SobolOwen::new(seed));
-    visitor.visit("r2", R2::new(seed));
-    Ok(())
+impl Parameters {
+    /// For sets of `count` points, in grids of [`grid`]`(count)`.
+    pub const fn new(count: u32, seed: u32) -> Self {
+        let [columns, rows] = grid(count);
+        Self { columns, rows, count, seed, domain: Domain::new(seed) }
+    }
+}
+
+macro_rules! sequences {
+    ($($file:ident $sequence:ident $name:literal $kind:ident $new:ident($($part:ident),*);)*) => {
+        /// The names of all sequences, in the order in which they are visited.
+        pub const SEQUENCES: &[&str] = &[$($name),*];
+
+        /// Visits every sequence: the sets with `count` points, the endless ones as they are.
+        ///
+        /// # Errors
+        /// [`Error::EmptyGrid`] for a `count` of 0.
+        pub fn sequences(
+            count: u32,
+            seed: u32,
+            visitor: &mut impl SequenceVisitor,
+        ) -> Result<(), Error> {
+            let parameters = Parameters::new(count, seed);
+            $(
+                let made = sequence::$sequence::$new($(parameters.$part),*);
+                visitor.visit($name, made_by!($kind made));
+            )*
+            Ok(())
+        }
+    };
+}
+for_each_sequence!(sequences);
+
+/// One lobe over every disc map.
+macro_rules! over_disc_maps {
+    ($visitor:ident $over:ident $lobe:literal ()
+        $($file:ident $map:ident $name:literal;)*) => {$(
+        $visitor.hemisphere($lobe, $name, hemisphere::$over::over(map::disc::$map::<A>::new()));
+    )*};
+    ($visitor:ident $over:ident $lobe:literal ($parameter:ident)
+        $($file:ident $map:ident $name:literal;)*) => {$(
+        let made = hemisphere::$over::over($parameter, map::disc::$map::<A>::new());
+        $visitor.hemisphere($lobe, $name, made?);
+    )*};
+}
+
+/// The lobes of one parameter list over every disc map.
+macro_rules! lobes {
+    ($visitor:ident () $($file:ident $type:ident $over:ident $name:literal $taken:tt;)*) => {
+        $(lobes!(@without $visitor $over $name $taken);)*
+    };
+    ($visitor:ident ($parameter:ident)
+        $($file:ident $type:ident $over:ident $name:literal $taken:tt;)*) => {
+        $(lobes!(@with $parameter $visitor $over $name $taken);)*
+    };
+    (@without $visitor:ident $over:ident $name:literal ()) => {
+        for_each_disc_map!(over_disc_maps $visitor $over $name ())
+    };
+    (@with $parameter:ident $visitor:ident $over:ident $name:literal ($taken:ident)) => {
+        for_each_disc_map!(over_disc_maps $visitor $over $name ($parameter))
+    };
+    (@without $visitor:ident $over:ident $name:literal $taken:tt) => {};
+    (@with $parameter:ident $visitor:ident $over:ident $name:literal $taken:tt) => {};
+}
+
+macro_rules! discs {
+    ($visitor:ident $($file:ident $map:ident $name:literal;)*) => {
+        $($visitor.disc($name, map::disc::$map::<A>::new());)*
+    };
 }
 
 /// Visits every map without a parameter.
 pub fn maps<A: Arithmetic>(visitor: &mut impl MapVisitor<A>) {
-    visitor.disc("polar", Polar::<A>::new());
-    visitor.disc("concentric", Concentric::<A>::new());
-    visitor.hemisphere("uniform", "polar", Uniform::over(Polar::<A>::new()));
-    visitor.hemisphere("uniform", "concentric", Uniform::<A>::new());
-    visitor.hemisphere("cosine", "polar", Cosine::over(Polar::<A>::new()));
-    visitor.hemisphere("cosine", "concentric", Cosine::<A>::new());
+    for_each_disc_map!(discs visitor);
+    for_each_lobe!(lobes visitor ());
 }
 
-/// Visits the cosine-power lobe of one exponent over every disc map.
+/// Visits the lobes of one exponent over every disc map.
 ///
 /// # Errors
 /// [`Error::Exponent`] for a value that is not a finite number above -1.
@@ -110,46 +155,33 @@ pub fn power_maps<A: Arithmetic>(
     exponent: A::Parameter,
     visitor: &mut impl MapVisitor<A>,
 ) -> Result<(), Error> {
-    visitor.hemisphere("power", "polar", Power::over(exponent, Polar::<A>::new())?);
-    visitor.hemisphere("power", "concentric", Power::<A>::new(exponent)?);
+    for_each_lobe!(lobes visitor (exponent));
     Ok(())
 }
 
-/// The names of all arithmetics that a build with every feature has, in the order of visits.
-pub const ARITHMETICS: &[&str] =
-    &["libm-f64", "libm-f32", "fast-f32", "micromath-f32", "q31", "q15", "q15-div"];
+macro_rules! arithmetics {
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $facts:tt;)*) => {
+        /// The names of all arithmetics that a build with every feature has, in the order of visits.
+        pub const ARITHMETICS: &[&str] = &[$($name),*];
 
-/// The names of the arithmetics that this build has, in the order of visits.
-pub const AVAILABLE_ARITHMETICS: &[&str] = &[
-    #[cfg(feature = "libm")]
-    "libm-f64",
-    #[cfg(feature = "libm")]
-    "libm-f32",
-    "fast-f32",
-    #[cfg(feature = "micromath")]
-    "micromath-f32",
-    #[cfg(feature = "fixed-point")]
-    "q31",
-    #[cfg(feature = "fixed-point")]
-    "q15",
-    #[cfg(feature = "fixed-point")]
-    "q15-div",
-];
+        /// The names of the arithmetics that this build has, in the order of visits.
+        pub const AVAILABLE_ARITHMETICS: &[&str] = &[$(#[$cfg] $name),*];
 
-/// Visits every arithmetic whose feature is on.
-pub fn arithmetics(visitor: &mut impl ArithmeticVisitor) {
-    #[cfg(feature = "libm")]
-    {
-        visitor.visit::<crate::LibmF64>();
-        visitor.visit::<crate::LibmF32>();
-    }
-    visitor.visit::<crate::FastF32>();
-    #[cfg(feature = "micromath")]
-    visitor.visit::<crate::MicromathF32>();
-    #[cfg(feature = "fixed-point")]
-    {
-        visitor.visit::<crate::Q31>();
-        visitor.visit::<crate::Q15>();
-        visitor.visit::<crate::Q15Div>();
-    }
+        /// Visits every arithmetic whose feature is on.
+        pub fn arithmetics(visitor: &mut impl ArithmeticVisitor) {
+            $(
+                #[$cfg]
+                visitor.visit::<crate::arithmetic::$arithmetic>();
+            )*
+        }
+    };
 }
+for_each_arithmetic!(arithmetics);
+
+macro_rules! effects {
+    ($($file:ident $effect:ident $name:literal;)*) => {
+        /// The names of all effects.
+        pub const EFFECTS: &[&str] = &[$($name),*];
+    };
+}
+for_each_effect!(effects);

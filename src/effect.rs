@@ -15,17 +15,17 @@
 //! seen the weight is 0: a receiver on the light, in its plane or behind it. Vectors that are to be of unit length are
 //! taken as such.
 
-mod ambient_occlusion;
-mod disc_light;
-mod glossy;
 mod polygon;
-mod thin_lens;
 
-pub use ambient_occlusion::AmbientOcclusion;
-pub use disc_light::{DiscLight, LightSample};
-pub use glossy::{BelowHorizon, Glossy};
+macro_rules! modules {
+    ($($file:ident $effect:ident $name:literal;)*) => {$(
+        mod $file;
+        pub use $file::*;
+    )*};
+}
+for_each_effect!(modules);
+
 pub use polygon::Polygon;
-pub use thin_lens::{LensRay, ThinLens};
 
 use crate::arithmetic::Real;
 use crate::error::Error;

@@ -7,6 +7,10 @@
 #[cfg(test)]
 extern crate std;
 
+// The members of every family, of which the modules below are declared.
+#[macro_use]
+mod lists;
+
 // In the order of a point's journey.
 mod coordinates;
 pub mod domain;
@@ -34,13 +38,14 @@ mod error;
 pub mod invariant;
 mod target;
 
-pub use arithmetic::FastF32;
-#[cfg(feature = "micromath")]
-pub use arithmetic::MicromathF32;
-#[cfg(feature = "libm")]
-pub use arithmetic::{LibmF32, LibmF64};
-#[cfg(feature = "fixed-point")]
-pub use arithmetic::{Q15, Q15Div, Q31};
+macro_rules! arithmetics {
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $facts:tt;)*) => {$(
+        #[$cfg]
+        pub use arithmetic::$arithmetic;
+    )*};
+}
+for_each_arithmetic!(arithmetics);
+
 pub use coordinates::Coordinates;
 pub use domain::Domain;
 pub use error::{Axis, Error};

@@ -19,37 +19,23 @@
 //! | [`Stored`] | the slice's | none | the caller's own points |
 //! | [`Shuffled`] | as inside | hashed | another set's points in another order |
 
-mod correlated;
-mod halton;
-mod hammersley;
-mod jittered;
-mod multi_jittered;
-mod n_rooks;
-mod r2;
-mod random;
-mod regular;
 #[cfg(feature = "rand_core")]
 mod rng;
 mod shuffled;
-mod sobol;
-mod sobol_owen;
 mod stored;
 mod walk;
 
-pub use correlated::Correlated;
-pub use halton::Halton;
-pub use hammersley::Hammersley;
-pub use jittered::Jittered;
-pub use multi_jittered::MultiJittered;
-pub use n_rooks::NRooks;
-pub use r2::R2;
-pub use random::Random;
-pub use regular::Regular;
+macro_rules! modules {
+    ($($file:ident $sequence:ident $name:literal $kind:ident $new:ident $parts:tt;)*) => {$(
+        mod $file;
+        pub use $file::$sequence;
+    )*};
+}
+for_each_sequence!(modules);
+
 #[cfg(feature = "rand_core")]
 pub use rng::FromRng;
 pub use shuffled::Shuffled;
-pub use sobol::Sobol;
-pub use sobol_owen::SobolOwen;
 pub use stored::Stored;
 
 pub use crate::block::{BLOCK, Block};

@@ -14,8 +14,10 @@ pub(super) mod disc;
 pub(super) mod lobes;
 mod tables;
 
+pub use super::fixed::Q15;
+
 use super::Back;
-use super::fixed::{Q15, Q31};
+use super::fixed::Q31;
 use super::q31::{Lowered, Q31Exponent};
 
 impl Q15 {

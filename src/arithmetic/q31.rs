@@ -20,9 +20,11 @@ mod power;
 pub(super) use inverse::Lowered;
 pub(super) use power::Q31Exponent;
 
+pub use super::fixed::Q31;
 use super::fixed::root::root;
 use super::fixed::wide::high;
-use super::fixed::{FixedExponent, Q31};
+
+use super::fixed::FixedExponent;
 use super::{Arithmetic, Back, sealed::Sealed};
 use crate::coordinates::fold;
 use crate::error::Error;

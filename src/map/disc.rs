@@ -1,12 +1,16 @@
 //! Maps onto the unit disc: density 1 / pi per unit of area.
 
-mod concentric;
-mod polar;
 mod rejection;
 
+macro_rules! modules {
+    ($($file:ident $map:ident $name:literal;)*) => {$(
+        mod $file;
+        pub use $file::$map;
+    )*};
+}
+for_each_disc_map!(modules);
+
 pub use crate::arithmetic::DiscPoint;
-pub use concentric::Concentric;
-pub use polar::Polar;
 pub use rejection::Rejection;
 
 use super::{Invert, sealed::Sealed};

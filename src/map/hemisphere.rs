@@ -3,13 +3,13 @@
 //! A disc map gives a point and its exact 1 - r^2; a lobe turns both into a direction. Over the polar
 //! map the power lobe is the textbook's phi = 2 pi u, theta = acos((1 - v)^(1 / (e + 1))).
 
-mod cosine;
-mod power;
-mod uniform;
-
-pub use cosine::CosineLobe;
-pub use power::PowerLobe;
-pub use uniform::UniformLobe;
+macro_rules! modules {
+    ($($file:ident $lobe:ident $over:ident $name:literal $parameters:tt;)*) => {$(
+        mod $file;
+        pub use $file::$lobe;
+    )*};
+}
+for_each_lobe!(modules);
 
 use super::disc::{Concentric, DiscMap, LoweredOf};
 use super::{Density, Invert, Map, sealed::Sealed};

@@ -1,55 +1,33 @@
 //! The arithmetics under test: the list that generic tests run over, and what a test knows of each.
 //!
-//! A new arithmetic is a row of [`each_arithmetic`]. A new number type is also an `impl Number`.
+//! The list is the library's, `src/lists.rs`. A new number type is also an `impl Number`.
 
 use crate::digest::Digestible;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::invariant::Exact;
 use std::f64::consts::FRAC_1_PI;
 
-/// Calls a macro with the list of arithmetics. A row has the condition on features, the name of a
-/// test, the type, the bits of a coordinate that it reads, the error of its density at a given
-/// point, and the crate whose version decides the bytes.
-#[macro_export]
-macro_rules! each_arithmetic {
-    ($macro:path, $($argument:tt)*) => {
-        $macro! {
-            [$($argument)*]
-            (feature = "libm") libm_f64 LibmF64 32 (f64::EPSILON / 2.0) Some("libm");
-            (feature = "libm") libm_f32 LibmF32 32 (EPS32) Some("libm");
-            (all()) fast_f32 FastF32 32 (EPS32) None;
-            (feature = "micromath") micromath_f32 MicromathF32 32 (1e-4) Some("micromath");
-            (feature = "fixed-point") q31 Q31 32 (hemidisc::Q31::LSB.to_f64()) None;
-            (feature = "fixed-point") q15 Q15 16 (hemidisc::Q15::LSB.to_f64()) None;
-            (feature = "fixed-point") q15_div Q15Div 16 (hemidisc::Q15::LSB.to_f64()) None;
-        }
-    };
-}
-
 /// One test for each arithmetic: `test_each_arithmetic!(name)` makes them of the generic function
 /// `name`. Features are those of the crate that has the tests; they bear the library's names.
 #[macro_export]
 macro_rules! test_each_arithmetic {
     ($run:ident) => {
-        $crate::each_arithmetic! { $crate::test_each_arithmetic, $run }
-    };
-    ([$run:ident] $(
-        $condition:tt $test:ident $arithmetic:ident $bits:literal $error:tt $library:expr;
-    )*) => {
         mod $run {
-            $(
-                #[cfg $condition]
-                #[test]
-                fn $test() {
-                    super::$run::<hemidisc::$arithmetic>();
-                }
-            )*
+            use $crate::test_each_arithmetic as tests;
+            hemidisc::for_each_arithmetic! { tests @ $run }
         }
     };
+    (@ $run:ident
+        $(#[$cfg:meta] $test:ident $arithmetic:ident $name:literal $facts:tt;)*) => {
+        $(
+            #[$cfg]
+            #[test]
+            fn $test() {
+                super::$run::<hemidisc::$arithmetic>();
+            }
+        )*
+    };
 }
-
-/// Half an ulp of 1 in f32.
-const EPS32: f64 = f32::EPSILON as f64 / 2.0;
 
 /// An arithmetic with what the tests must know of it.
 pub trait Tested: Arithmetic<Real: Number, Parameter: Exponent> {
@@ -68,11 +46,12 @@ pub trait EachArithmetic {
 }
 
 macro_rules! implement {
-    ([] $(
-        $condition:tt $test:ident $arithmetic:ident $bits:literal $error:tt $library:expr;
+    ($(
+        #[$cfg:meta] $file:ident $arithmetic:ident $name:literal
+        ($bits:literal, $error:expr, $library:expr);
     )*) => {
         $(
-            #[cfg $condition]
+            #[$cfg]
             impl Tested for hemidisc::$arithmetic {
                 const BITS: u32 = $bits;
                 const DENSITY_ERROR: f64 = $error;
@@ -83,13 +62,13 @@ macro_rules! implement {
         /// Visits the arithmetics of this build.
         pub fn every_arithmetic(visitor: &mut impl EachArithmetic) {
             $(
-                #[cfg $condition]
+                #[$cfg]
                 visitor.each::<hemidisc::$arithmetic>();
             )*
         }
     };
 }
-each_arithmetic!(implement,);
+hemidisc::for_each_arithmetic!(implement);
 
 /// The centre of a coordinate's cell, as the arithmetic reads it.
 pub fn centre<A: Tested>(k: u32) -> f64 {

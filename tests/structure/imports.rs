@@ -46,6 +46,15 @@ fn read(files: &Files, file: &str, at: Path, modules: &mut Modules) {
     parser.module(at, &folder);
 }
 
+/// The modules and files of a folder, but for those of folders in it.
+fn beside(files: &Files, folder: &str) -> Vec<(String, String)> {
+    let within = files.keys().filter_map(|file| {
+        let name = file.strip_prefix(folder)?.strip_prefix('/')?.strip_suffix(".rs")?;
+        (!name.contains('/') && folder.starts_with("src/")).then(|| (name.to_owned(), file.clone()))
+    });
+    within.collect()
+}
+
 struct Parser<'a> {
     files: &'a Files,
     modules: &'a mut Modules,
@@ -177,6 +186,16 @@ impl Parser<'_> {
                 }
             }
             (elsewhere, public) = (false, false);
+        }
+        // Lists declare the modules of families. `tests` are compiled for tests alone.
+        if folder != "src" && self.next >= self.tokens.len() {
+            for (name, file) in beside(self.files, folder) {
+                if name != "tests" && !module.children.contains_key(&name) {
+                    let child: Path = at.iter().cloned().chain([name.clone()]).collect();
+                    read(self.files, &file, child.clone(), self.modules);
+                    module.children.insert(name, child);
+                }
+            }
         }
         self.modules.insert(at, module);
     }
