@@ -1,4 +1,5 @@
-//! What is printed by the examples that write pictures into a folder, and what is wrong, on one line.
+//! What is printed by the examples that write pictures into a folder, and what is wrong, on one
+//! line.
 
 use clap::Parser;
 use std::error::Error;

@@ -1,4 +1,5 @@
-//! What the command line's parser refuses, on one line: the argument, what was wrong and what is accepted.
+//! What the command line's parser refuses, on one line: the argument, what was wrong and what is
+//! accepted.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::error::Error;

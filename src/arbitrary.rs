@@ -1,8 +1,8 @@
 //! [`Arbitrary`] for what a renderer is configured with: any bytes make a valid value.
 //!
-//! A value is made of parts that any bytes give, by a function that is total: what no constructor takes is mended
-//! first, so that small changes of the bytes stay small changes of the value. Only [`Stored`](crate::sequence::Stored)
-//! is left out: its points are the caller's.
+//! A value is made of parts that any bytes give, by a function that is total: what no constructor
+//! takes is mended first, so that small changes of the bytes stay small changes of the value. Only
+//! [`Stored`](crate::sequence::Stored) is left out: its points are the caller's.
 
 use crate::arithmetic::{Arithmetic, Real, Root};
 use crate::domain::{Split, Stream};
@@ -144,7 +144,8 @@ fn distance<R: Real>(number: R) -> R {
     if number > R::ZERO { number } else { R::ONE }
 }
 
-/// A unit vector from its stereographic projection, within the square [-1, 1]^2; rational, so it needs no root.
+/// A unit vector from its stereographic projection, within the square [-1, 1]^2; rational, so it
+/// needs no root.
 fn unit_vector<R: Real>((projected, flipped): ([R; 2], bool)) -> [R; 3] {
     let [s, t] = projected.map(|x| {
         let size = x.magnitude();

@@ -14,8 +14,9 @@
 //! | `Q31` | `fixed-point` | `Q31` | integers: tables and short series |
 //! | `MicromathF32` | `micromath` | `f32` | three digits: `micromath`'s sine and cosine, the rest refined |
 //!
-//! The plot shows what each costs and how accurate its points are. In a panel, no arithmetic beats a
-//! mark on the line in both. `docs/accuracy.md` has the figures, and says which arithmetic to use.
+//! The plot shows what each costs and how accurate its points are. In a panel, no arithmetic beats
+//! a mark on the line in both. `docs/accuracy.md` has the figures, and says which arithmetic to
+//! use.
 //!
 #![doc = include_str!("../docs/accuracy/pareto.svg")]
 
@@ -96,8 +97,8 @@ pub trait Arithmetic:
     #[doc(hidden)]
     fn square(uv: [u32; 2]) -> [Self::Real; 2];
 
-    /// The square [-1, 1]^2 that rejection draws from, x = 2u - 1, y = 2v - 1, for coordinates inside
-    /// the disc.
+    /// The square [-1, 1]^2 that rejection draws from, x = 2u - 1, y = 2v - 1, for coordinates
+    /// inside the disc.
     #[doc(hidden)]
     fn centred(uv: [u32; 2]) -> [Self::Real; 2];
 

@@ -7,13 +7,13 @@
 //! | [`AmbientOcclusion`] | directions about a normal | one to be looked along up to a reach |
 //! | [`Glossy`] | directions about the mirror's | one above the surface, by one of three policies |
 //!
-//! A renderer that holds no value of an effect's type pays nothing for it: no point drawn, no code, no table.
-//! Every sample has its density, and the weight that an estimate multiplies with what the sample sees:
-//! the mean of weight times value is the integral that the effect stands for.
+//! A renderer that holds no value of an effect's type pays nothing for it: no point drawn, no code,
+//! no table. Every sample has its density, and the weight that an estimate multiplies with what the
+//! sample sees: the mean of weight times value is the integral that the effect stands for.
 //!
-//! Numbers are finite for finite input, short of slopes and sums of coordinates beyond MAX, and where nothing is to be
-//! seen the weight is 0: a receiver on the light, in its plane or behind it. Vectors that are to be of unit length are
-//! taken as such.
+//! Numbers are finite for finite input, short of slopes and sums of coordinates beyond MAX, and
+//! where nothing is to be seen the weight is 0: a receiver on the light, in its plane or behind it.
+//! Vectors that are to be of unit length are taken as such.
 
 mod ambient_occlusion;
 mod disc_light;

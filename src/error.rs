@@ -116,12 +116,14 @@ pub enum Error {
         /// What was given (an `f32` widens to `f64` exactly).
         value: f64,
     },
-    /// A position with a component that is not a finite number, or of a light whose rim is not at finite numbers.
+    /// A position with a component that is not a finite number, or of a light whose rim is not at
+    /// finite numbers.
     Position {
         /// The first such component (an `f32` widens to `f64` exactly).
         value: f64,
     },
-    /// A distance that is not above 0, or one of a lens so near that its radius over it is no finite number.
+    /// A distance that is not above 0, or one of a lens so near that its radius over it is no
+    /// finite number.
     Distance {
         /// What was given (an `f32` widens to `f64` exactly).
         value: f64,

@@ -11,9 +11,10 @@
 //!
 //! # In a fuzz target of your own
 //!
-//! With the feature `arbitrary` what a renderer is configured with implements `arbitrary::Arbitrary`: sequences,
-//! domains, maps, points, frames and effects, whose values are valid whatever the bytes. So a target takes them as its
-//! input, checks what it makes of them, and asks these functions whether a fault is its own or this crate's:
+//! With the feature `arbitrary` what a renderer is configured with implements
+//! `arbitrary::Arbitrary`: sequences, domains, maps, points, frames and effects, whose values are
+//! valid whatever the bytes. So a target takes them as its input, checks what it makes of them, and
+//! asks these functions whether a fault is its own or this crate's:
 //!
 //! ```
 //! # // The macro of `libfuzzer_sys`, for this example to be compiled and run without it.

@@ -1,4 +1,5 @@
-//! Maps: from coordinates on the unit square to points of the disc and directions of the hemisphere.
+//! Maps: from coordinates on the unit square to points of the disc and directions of the
+//! hemisphere.
 //!
 //! | map | point | density |
 //! | --- | --- | --- |

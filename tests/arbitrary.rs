@@ -1,4 +1,5 @@
-//! Whatever the bytes, `Arbitrary` makes a value that its constructor would take, and any value can be reached.
+//! Whatever the bytes, `Arbitrary` makes a value that its constructor would take, and any value can
+//! be reached.
 #![cfg(all(feature = "libm", feature = "fixed-point", feature = "arbitrary"))]
 
 use arbitrary::{Arbitrary, Unstructured};

@@ -1,4 +1,5 @@
-//! Every file of the fuzz corpora through the check of its target, on stable, as the fuzzer runs it.
+//! Every file of the fuzz corpora through the check of its target, on stable, as the fuzzer runs
+//! it.
 #![cfg(all(
     feature = "libm",
     feature = "micromath",
@@ -65,8 +66,8 @@ fn every_target_is_listed() {
     }
 }
 
-/// The dictionary is made of the values where trouble lives: powers of two of coordinates with their neighbours,
-/// exponents and numbers at the ends of their ranges. To write it anew:
+/// The dictionary is made of the values where trouble lives: powers of two of coordinates with
+/// their neighbours, exponents and numbers at the ends of their ranges. To write it anew:
 ///
 ///     HEMIDISC_BLESS=1 cargo test --test corpus
 #[test]

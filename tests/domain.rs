@@ -136,8 +136,8 @@ fn outward(magnitude: u32) -> u32 {
     0x8000_0000 + magnitude
 }
 
-/// Every m in 0..2^31 that the arithmetic tells from the m before, and each `stride`-th of them: floats
-/// those whose 2m + 1 is another f32, fixed point those whose leading bits differ.
+/// Every m in 0..2^31 that the arithmetic tells from the m before, and each `stride`-th of them:
+/// floats those whose 2m + 1 is another f32, fixed point those whose leading bits differ.
 fn distinct<A: Tested>(stride: usize) -> impl Iterator<Item = u32> {
     // An f32 tells every m below 2^23, and above that one in 2^(bit - 23).
     let read = A::BITS.min(24);
@@ -166,7 +166,8 @@ fn walk_ring<A: Tested>(major: u32, stride: usize) -> u64 {
 }
 
 fn no_point_of_the_outer_rings_is_outside<A: Tested>() {
-    // Magnitudes that round to 1 and to each of the three f32 below it; or the last four of 16 bits.
+    // Magnitudes that round to 1 and to each of the three f32 below it; or the last four of 16
+    // bits.
     let full = std::env::var_os("HEMIDISC_EXHAUSTIVE").is_some();
     let stride = if full || A::BITS < 32 { 1 } else { 61 };
     let fine = [0x7fff_ffff, 0x7fff_ff80, 0x7fff_ff00, 0x7fff_fe80];

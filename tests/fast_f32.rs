@@ -1,4 +1,5 @@
-//! Fast f32: the rims of the disc, every promise at hard coordinates, and the same bits however asked.
+//! Fast f32: the rims of the disc, every promise at hard coordinates, and the same bits however
+//! asked.
 //!
 //! By default every 61st point of the rims; all of them, in two minutes of two threads, by
 //!

@@ -1,7 +1,7 @@
 //! The errors of every map x arithmetic.
 //!
-//! Against the textbook's formula in f64 at random and at hard coordinates; `libm-f64`, which that cannot judge,
-//! against mpmath at the hard cases of `testkit/vectors/maps.csv`.
+//! Against the textbook's formula in f64 at random and at hard coordinates; `libm-f64`, which that
+//! cannot judge, against mpmath at the hard cases of `testkit/vectors/maps.csv`.
 
 use crate::evenness::deviation;
 use hemidisc::Invert;
@@ -42,7 +42,8 @@ pub struct Row {
     pub norm: Error,
     /// Of the angle from the pole, relative in floats; none on the disc.
     pub theta: Option<Error>,
-    /// Largest difference that rounding makes to the share of a set that is within a radius or a polar angle.
+    /// Largest difference that rounding makes to the share of a set that is within a radius or a
+    /// polar angle.
     pub evenness: f64,
     /// Time of a point on this machine, as a ratio to `libm-f32` on the same map.
     pub host: f64,

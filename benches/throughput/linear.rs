@@ -1,6 +1,7 @@
 //! That cost grows linearly: the time of a point at four sizes of buffer, side by side.
 //!
-//! From the caches to memory a point must cost the same, but for what the memory itself takes: `slice::fill` shows it.
+//! From the caches to memory a point must cost the same, but for what the memory itself takes:
+//! `slice::fill` shows it.
 
 use crate::buffers::{Coordinates, LARGE, SMALL};
 use crate::failure::Failure;
@@ -9,7 +10,8 @@ use crate::rounds::{self, Measurement};
 /// Points of a buffer.
 pub(crate) const SIZES: [usize; 4] = [1 << 8, SMALL, 1 << 16, LARGE];
 
-/// Every sequence through one map, one sequence through every map, and what there is without either.
+/// Every sequence through one map, one sequence through every map, and what there is without
+/// either.
 fn wanted(path: &str) -> bool {
     match path.split('/').collect::<Vec<_>>()[..] {
         ["fused", sequence, map, disc, "fast-f32"] => {

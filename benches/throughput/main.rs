@@ -7,13 +7,15 @@
 //! cargo bench --bench throughput -- FILTER ...         criterion alone, with its own arguments
 //! ```
 //!
-//! The tables are Markdown on standard output: ratios of the shortest times of rounds that interleave all fills, in
-//! one process. With `RUSTFLAGS="-C target-cpu=native"` it is another build, whose figures stand beside the
-//! baseline's. `--test` does everything once, to see that it works.
+//! The tables are Markdown on standard output: ratios of the shortest times of rounds that
+//! interleave all fills, in one process. With `RUSTFLAGS="-C target-cpu=native"` it is another
+//! build, whose figures stand beside the baseline's. `--test` does everything once, to see that it
+//! works.
 //!
-//! `fills` says what is timed. `sequences`, `maps`, `fused` and `peers` are its families, and `buffers` is what they
-//! share. The peers' formulas are in `testkit::textbook`. `timings` is criterion's part. `rounds` interleaves; `targets`
-//! and `linear` are rounds of their own. `report` keeps what was measured, and `table` prints it.
+//! `fills` says what is timed. `sequences`, `maps`, `fused` and `peers` are its families, and
+//! `buffers` is what they share. The peers' formulas are in `testkit::textbook`. `timings` is
+//! criterion's part. `rounds` interleaves; `targets` and `linear` are rounds of their own. `report`
+//! keeps what was measured, and `table` prints it.
 
 mod buffers;
 mod failure;

@@ -1,14 +1,15 @@
 //! Rounds: every fill once, in turn, again and again; what counts is the shortest of each.
 //!
-//! A machine that is busy with other work, or that changes its clock, slows the fills that it meets. In rounds it
-//! meets all alike, and the shortest of many is one that it did not meet.
+//! A machine that is busy with other work, or that changes its clock, slows the fills that it
+//! meets. In rounds it meets all alike, and the shortest of many is one that it did not meet.
 
 use crate::buffers::{Coordinates, SMALL, Visitor, WINDOWS};
 use crate::failure::Failure;
 use crate::fills;
 use std::time::Instant;
 
-/// Points between two readings of the clock: so many that the readings do not show, and every window once.
+/// Points between two readings of the clock: so many that the readings do not show, and every
+/// window once.
 const TIMED: usize = SMALL * WINDOWS;
 /// A larger buffer is in memory, and to fill it just before does not bring it nearer.
 const CACHED: usize = 1 << 16;

@@ -1,4 +1,5 @@
-//! Criterion's timing of each fill, one after another: what a change has done to it since the last run.
+//! Criterion's timing of each fill, one after another: what a change has done to it since the last
+//! run.
 
 use crate::buffers::{Coordinates, LARGE, SMALL, Visitor};
 use crate::failure::Failure;

@@ -66,7 +66,8 @@ type First = OnceLock<String>;
 
 /// Calls a function for each shard, some at once, until one fails.
 ///
-/// Not on the threads that render: one that waits for rows would begin another shard, and keep both.
+/// Not on the threads that render: one that waits for rows would begin another shard, and keep
+/// both.
 fn each(
     threads: usize,
     of: u16,

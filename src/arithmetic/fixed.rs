@@ -1,8 +1,9 @@
 //! Fixed point: the numbers of Q15 and Q31, and their exponents.
 //!
-//! A number is an integer count of LSBs of 2^-15 or 2^-31: the layout of I1F15 and I1F31 of the crate
-//! `fixed`, so bits pass between the two as they are. The range is [-1, 1 - LSB]; 1 is not in it, so what
-//! would round to 1 becomes 1 - LSB. The maps give no -1 either: every point has its mirror image.
+//! A number is an integer count of LSBs of 2^-15 or 2^-31: the layout of I1F15 and I1F31 of the
+//! crate `fixed`, so bits pass between the two as they are. The range is [-1, 1 - LSB]; 1 is not in
+//! it, so what would round to 1 becomes 1 - LSB. The maps give no -1 either: every point has its
+//! mirror image.
 
 pub(super) mod root;
 pub(super) mod rotation;
@@ -73,8 +74,8 @@ macro_rules! number {
                 if f.precision().is_some() {
                     return fmt::Display::fmt(&self.to_f64(), f);
                 }
-                // An odd count of 2^-n has n decimal places; the shortest decimal that reads back as
-                // the same f64 would have fewer.
+                // An odd count of 2^-n has n decimal places; the shortest decimal that reads back
+                // as the same f64 would have fewer.
                 let places = ($bits::BITS - 1).saturating_sub(self.0.trailing_zeros());
                 let width = f.width().unwrap_or(0);
                 write!(f, "{:width$.*}", places as usize, self.to_f64())
@@ -84,11 +85,13 @@ macro_rules! number {
 }
 
 number! {
-    /// Fixed point of 16 bits, and the arithmetic on it: a sign and 15 bits of fraction, as `fixed`'s I1F15.
+    /// Fixed point of 16 bits, and the arithmetic on it: a sign and 15 bits of fraction, as
+    /// `fixed`'s I1F15.
     Q15, i16, 32_768.0
 }
 number! {
-    /// Fixed point of 32 bits, and the arithmetic on it: a sign and 31 bits of fraction, as `fixed`'s I1F31.
+    /// Fixed point of 32 bits, and the arithmetic on it: a sign and 31 bits of fraction, as
+    /// `fixed`'s I1F31.
     Q31, i32, 2_147_483_648.0
 }
 

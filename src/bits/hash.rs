@@ -76,8 +76,8 @@ impl Pairs {
     }
 }
 
-/// A counter hash from an index to a pair of independent uniform fractions of 16 bits: to jitter a point within
-/// its cell.
+/// A counter hash from an index to a pair of independent uniform fractions of 16 bits: to jitter a
+/// point within its cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Jitter {
     key: u32,

@@ -1,9 +1,9 @@
 //! Random access into a pseudo-random permutation of 0..len, for any length.
 //!
 //! **Lengths above 8**: swap-or-not (V. T. Hoang, B. Morris and P. Rogaway, "An Enciphering Scheme
-//! Based on a Card Shuffle", CRYPTO 2012). Each round pairs x with k - x (mod len) for a round key k,
-//! and a hash of the pair decides whether the two swap. Every round is an involution, so the whole is
-//! a bijection for every length and key. Against the usual cycle-walking hash (A. Kensler,
+//! Based on a Card Shuffle", CRYPTO 2012). Each round pairs x with k - x (mod len) for a round key
+//! k, and a hash of the pair decides whether the two swap. Every round is an involution, so the
+//! whole is a bijection for every length and key. Against the usual cycle-walking hash (A. Kensler,
 //! "Correlated Multi-Jittered Sampling", Pixar TM 13-01, 2013) the cost is a constant, and nothing
 //! wraps at a length near 2^32.
 //!
@@ -15,9 +15,10 @@ use super::{hash::mix, wide::high};
 use crate::block::Block;
 use crate::target::{HALVES, WIDE_WORDS};
 
-/// Rounds of swap-or-not. A chi-square test of places, or of pairs of places, can tell 10 from random
-/// (tests/promises/permutation.rs); and a round leaves an element where it is with probability 1/2,
-/// so log2(len) + 4 leave one element in 16 sets more in its place than chance does.
+/// Rounds of swap-or-not. A chi-square test of places, or of pairs of places, can tell 10 from
+/// random (tests/promises/permutation.rs); and a round leaves an element where it is with
+/// probability 1/2, so log2(len) + 4 leave one element in 16 sets more in its place than chance
+/// does.
 const fn rounds(len: u32) -> u32 {
     let mut rounds = 12;
     if HALVES {
@@ -36,8 +37,8 @@ const SHORT: u32 = 8;
 
 /// The place of `index` in the permutation of 0..`len` that `seed` selects.
 ///
-/// Takes 12 rounds of four multiplications each (log2(len) + 4 above 256), or two hashes and up to 7
-/// swaps for `len` <= 8. An `index` that is not below `len` is returned as it is.
+/// Takes 12 rounds of four multiplications each (log2(len) + 4 above 256), or two hashes and up to
+/// 7 swaps for `len` <= 8. An `index` that is not below `len` is returned as it is.
 ///
 /// ```
 /// use hemidisc::bits::permute::permute;
@@ -69,9 +70,9 @@ const fn swapped_or_not(index: u32, len: u32, seed: u32) -> u32 {
     x
 }
 
-/// Rounds take a word each from a linear congruential generator of full period (the multiplier: G. Steele
-/// and S. Vigna, "Computationally Easy, Spectrally Good Multipliers", 2022): no word comes twice, or a round
-/// would undo another. Neighbouring seeds begin far apart.
+/// Rounds take a word each from a linear congruential generator of full period (the multiplier: G.
+/// Steele and S. Vigna, "Computationally Easy, Spectrally Good Multipliers", 2022): no word comes
+/// twice, or a round would undo another. Neighbouring seeds begin far apart.
 #[inline(always)]
 const fn first_word(seed: u32) -> u32 {
     mix(seed ^ 0x9e37_79b9)
@@ -90,8 +91,8 @@ const fn pair(x: u32, len: u32, key: u32, word: u32) -> (u32, u32) {
     (partner, hash(upper ^ word))
 }
 
-/// [`permute`] of a block of places, all of them below `len`, by one seed: round after round over all, which are
-/// vectors then.
+/// [`permute`] of a block of places, all of them below `len`, by one seed: round after round over
+/// all, which are vectors then.
 #[inline(always)]
 pub(crate) fn permute_block(places: &mut Block, len: u32, seed: u32) {
     if len <= SHORT {
@@ -145,8 +146,8 @@ const fn below(len: u32, bits: u32) -> u32 {
 
 /// Of two numbers the second where the highest bit of `bits` is set.
 ///
-/// A wide core guesses at a branch, and is wrong every other time; its compilers make one of whatever they see to
-/// be a choice, which a look-up is not.
+/// A wide core guesses at a branch, and is wrong every other time; its compilers make one of
+/// whatever they see to be a choice, which a look-up is not.
 #[inline(always)]
 const fn either(first: u32, second: u32, bits: u32) -> u32 {
     if WIDE_WORDS {
@@ -159,7 +160,8 @@ const fn either(first: u32, second: u32, bits: u32) -> u32 {
     }
 }
 
-/// A hash whose highest bit depends on all of `x`: after two multiplications there is no need for more.
+/// A hash whose highest bit depends on all of `x`: after two multiplications there is no need for
+/// more.
 #[inline(always)]
 const fn hash(x: u32) -> u32 {
     let x = x.wrapping_mul(0x21f0_aaad);

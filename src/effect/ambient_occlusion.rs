@@ -1,7 +1,8 @@
 //! Ambient occlusion: how much of the sky, weighted by the cosine, nothing near hides
 //! (S. Zhukov, A. Iones and G. Kronin, "An Ambient Light Illumination Model", 1998).
 //!
-//! Directions of density cos theta / pi make it a plain mean: of 1 where nothing is met within the reach, else 0.
+//! Directions of density cos theta / pi make it a plain mean: of 1 where nothing is met within the
+//! reach, else 0.
 
 use super::{DirectionSample, checked_distance};
 use crate::arithmetic::{Arithmetic, Real};

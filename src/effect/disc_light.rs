@@ -1,10 +1,10 @@
 //! A disc light: soft shadows (K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 18).
 //!
-//! A point of the disc, uniform over its area A, is seen from a receiver at a distance d and under the angle
-//! t to the disc's normal, which the receiver sees under s to its own. The point's density per steradian is
-//! d^2 / (A cos t), and irradiance is the mean of radiance A cos s cos t / d^2 where nothing is in the way.
-//! The weight is cos t / d^2: radiance A, the light's intensity along its axis, stays finite for a light of
-//! radius 0, which is a point.
+//! A point of the disc, uniform over its area A, is seen from a receiver at a distance d and under
+//! the angle t to the disc's normal, which the receiver sees under s to its own. The point's
+//! density per steradian is d^2 / (A cos t), and irradiance is the mean of radiance A cos s cos
+//! t / d^2 where nothing is in the way. The weight is cos t / d^2: radiance A, the light's
+//! intensity along its axis, stays finite for a light of radius 0, which is a point.
 
 use super::{along, capped, checked_radius, reciprocal};
 use crate::arithmetic::{Arithmetic, Real, Root};
@@ -40,15 +40,16 @@ pub struct DiscLight<A: Arithmetic> {
 pub struct LightSample<R> {
     /// On the light.
     pub point: [R; 3],
-    /// From the receiver, of unit length; the light's normal where d^2 is no normal number: for a receiver at the
-    /// point, and for one too far away.
+    /// From the receiver, of unit length; the light's normal where d^2 is no normal number: for a
+    /// receiver at the point, and for one too far away.
     pub direction: [R; 3],
     /// From the receiver; 0 where d^2 is no normal number.
     pub distance: R,
     /// Per steradian about the receiver, a normal number; 0 where no light goes.
     pub density: R,
-    /// cos t / d^2, per square of the scene's unit: times the intensity along the axis and the receiver's cosine it is
-    /// irradiance. 0 behind the light and in its plane, which is as thick as coordinates round.
+    /// cos t / d^2, per square of the scene's unit: times the intensity along the axis and the
+    /// receiver's cosine it is irradiance. 0 behind the light and in its plane, which is as thick
+    /// as coordinates round.
     pub weight: R,
 }
 
@@ -56,8 +57,8 @@ impl<A: Root> DiscLight<A> {
     /// A light about a centre, whose normal is the frame's third axis; one-sided.
     ///
     /// # Errors
-    /// [`Error::Radius`] for a radius that is not a number from 0 on of a finite square, [`Error::Position`] for a centre
-    /// from which the rim is not at finite numbers.
+    /// [`Error::Radius`] for a radius that is not a number from 0 on of a finite square,
+    /// [`Error::Position`] for a centre from which the rim is not at finite numbers.
     pub fn new(
         centre: [A::Real; 3],
         frame: Frame<A::Real>,
@@ -90,8 +91,8 @@ impl<A: Root> DiscLight<A> {
         reciprocal(self.area())
     }
 
-    /// The light's point for a pair of coordinates, as seen from a receiver; one so near that d^2 is no normal number
-    /// is on the light.
+    /// The light's point for a pair of coordinates, as seen from a receiver; one so near that d^2
+    /// is no normal number is on the light.
     #[inline]
     pub fn sample(&self, receiver: [A::Real; 3], uv: [u32; 2]) -> LightSample<A::Real> {
         let [x_axis, y_axis, normal] = self.frame.axes();
@@ -104,15 +105,16 @@ impl<A: Root> DiscLight<A> {
         }
         let distance = A::sqrt(square);
         let direction = to_light.map(|component| component / distance);
-        // The cosine by the plane: the side is the same for all points, and none is a rounding error.
+        // The cosine by the plane: the side is the same for all points, and none is a rounding
+        // error.
         let weight = self.shining(self.height(receiver) / distance) / square;
         let density =
             if weight > A::Real::ZERO { reciprocal(self.area() * weight) } else { A::Real::ZERO };
         LightSample { point, direction, distance, density, weight }
     }
 
-    /// The density of a direction from a receiver, per steradian; 0 where it misses the light, and of a light of
-    /// radius 0, which no direction but the sampled ones meets.
+    /// The density of a direction from a receiver, per steradian; 0 where it misses the light, and
+    /// of a light of radius 0, which no direction but the sampled ones meets.
     #[inline]
     pub fn density(&self, receiver: [A::Real; 3], direction: [A::Real; 3]) -> A::Real {
         let normal = self.frame.axes()[2];
@@ -129,8 +131,8 @@ impl<A: Root> DiscLight<A> {
         if inside { capped(density) } else { A::Real::ZERO }
     }
 
-    /// Of a receiver above the light's plane, on the side of the normal; 0 where rounding of the coordinates decides
-    /// the side.
+    /// Of a receiver above the light's plane, on the side of the normal; 0 where rounding of the
+    /// coordinates decides the side.
     #[inline]
     fn height(&self, receiver: [A::Real; 3]) -> A::Real {
         let normal = self.frame.axes()[2];

@@ -1,7 +1,9 @@
-//! Glossy reflection: a cosine-power lobe about the mirror direction (B. T. Phong, "Illumination for Computer
-//! Generated Pictures", 1975; K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 25).
+//! Glossy reflection: a cosine-power lobe about the mirror direction (B. T. Phong, "Illumination
+//! for Computer Generated Pictures", 1975; K. Suffern, "Ray Tracing from the Ground Up", 2007,
+//! chapter 25).
 //!
-//! At grazing angles a part of the lobe is below the surface; [`BelowHorizon`] says what becomes of it.
+//! At grazing angles a part of the lobe is below the surface; [`BelowHorizon`] says what becomes of
+//! it.
 
 use super::{DirectionSample, along, capped};
 use crate::arithmetic::{Arithmetic, Real};
@@ -12,10 +14,11 @@ use crate::map::{Density, Power};
 /// What becomes of a direction below the surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BelowHorizon {
-    /// There is no sample. The mean over those there are is of the lobe's upper part alone, scaled to 1: no energy
-    /// is lost, and the caller counts.
+    /// There is no sample. The mean over those there are is of the lobe's upper part alone, scaled
+    /// to 1: no energy is lost, and the caller counts.
     Reject,
-    /// It is mirrored in the surface, and adds its density to that of the direction it meets: no energy is lost.
+    /// It is mirrored in the surface, and adds its density to that of the direction it meets: no
+    /// energy is lost.
     Flip,
     /// Its weight is 0: the energy of the part below is lost.
     Zero,
@@ -47,9 +50,11 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
         Ok(Self { lobe: Power::new(exponent)?, below })
     }
 
-    /// Where light that arrives along a unit vector leaves a surface of a unit normal; none is rejected.
+    /// Where light that arrives along a unit vector leaves a surface of a unit normal; none is
+    /// rejected.
     ///
-    /// Either side of a surface may be hit: the normal is taken to be on the side that the light comes from.
+    /// Either side of a surface may be hit: the normal is taken to be on the side that the light
+    /// comes from.
     #[inline]
     pub fn sample(
         &self,
@@ -78,8 +83,8 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
         Some(DirectionSample { direction, density, weight })
     }
 
-    /// The density of leaving along a direction, per steradian: of [`Reject`](BelowHorizon::Reject) that before
-    /// the samples below are taken out.
+    /// The density of leaving along a direction, per steradian: of [`Reject`](BelowHorizon::Reject)
+    /// that before the samples below are taken out.
     #[inline]
     pub fn density(
         &self,

@@ -1,14 +1,16 @@
 //! A regular polygon in the unit disc: the aperture of a lens with N blades.
 //!
-//! u chooses one of N triangles about the centre, and the rest of u and v a point of it, by E. Heitz, "A
-//! Low-Distortion Map Between Triangle and Square", 2019: no square root, and neighbours stay neighbours.
+//! u chooses one of N triangles about the centre, and the rest of u and v a point of it, by E.
+//! Heitz, "A Low-Distortion Map Between Triangle and Square", 2019: no square root, and neighbours
+//! stay neighbours.
 
 use crate::arithmetic::{Arithmetic, Real, RealKernel};
 use crate::map::{Density, Invert, Map, Polar};
 
 /// The unit square onto a regular polygon of N corners on the unit circle; area ratios are kept.
 ///
-/// The corners are the polar map's outermost points, 6e-11 short of the circle. The blade is floor(u N). A polygon of fewer than 3 corners does not compile.
+/// The corners are the polar map's outermost points, 6e-11 short of the circle. The blade is
+/// floor(u N). A polygon of fewer than 3 corners does not compile.
 ///
 /// ```
 /// use hemidisc::{LibmF32, Map, effect::Polygon};

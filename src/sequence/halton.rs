@@ -51,7 +51,8 @@ const fn radical_inverse_3(index: u32) -> u32 {
         let third = third(rest);
         mirrored += (rest - 3 * third) * weight;
         rest = third;
-        // A third of a multiple of 3, and of no use after the last digit: 3 0xaaaa_aaab = 1 mod 2^32.
+        // A third of a multiple of 3, and of no use after the last digit: 3 0xaaaa_aaab = 1 mod
+        // 2^32.
         weight = weight.wrapping_mul(0xaaaa_aaab);
         digits += 1;
     }
@@ -76,9 +77,10 @@ const fn third(n: u32) -> u32 {
 
 /// ceil(2^32 m / 3^20) for m < 3^20.
 ///
-/// That is m + y with y = m (2^32 - 3^20) / 3^20, and 4y is above `quarters` by less than 1 + m / 2^32 < 1.82. So
-/// `near` is above m + y by at most 1/4 or below it by less than 0.96, and the product with 3^20, which is the
-/// difference times 3^20 modulo 2^32, tells which: 3^20 / 4 is below 2^32 - 0.96 3^20.
+/// That is m + y with y = m (2^32 - 3^20) / 3^20, and 4y is above `quarters` by less than
+/// 1 + m / 2^32 < 1.82. So `near` is above m + y by at most 1/4 or below it by less than 0.96, and
+/// the product with 3^20, which is the difference times 3^20 modulo 2^32, tells which: 3^20 / 4 is
+/// below 2^32 - 0.96 3^20.
 const fn scaled(m: u32) -> u32 {
     const FRACTION: u32 = ((((1 << 32) - SCALE as u64) << 34) / SCALE as u64) as u32;
     let quarters = high(m, FRACTION);
@@ -87,8 +89,8 @@ const fn scaled(m: u32) -> u32 {
     near + (near.wrapping_mul(SCALE) > SCALE / 4) as u32
 }
 
-/// 4 / 3^(j + 1) of the axis, without whole ones: what the index after one that ends in j digits 2 is further on.
-/// In cells, rounded down, and the remainder in 3^-20 cells.
+/// 4 / 3^(j + 1) of the axis, without whole ones: what the index after one that ends in j digits 2
+/// is further on. In cells, rounded down, and the remainder in 3^-20 cells.
 const STEPS: [[u32; 2]; DIGITS as usize] = {
     let mut steps = [[0; 2]; DIGITS as usize];
     let (mut digit, mut weight) = (0, SCALE as u64 / 3);
@@ -103,7 +105,8 @@ const STEPS: [[u32; 2]; DIGITS as usize] = {
 /// The cell of the index after one below 3^20 - 1.
 #[inline(always)]
 fn after(cell: u32) -> u32 {
-    // j digits 2 lead those of x from 1 - 3^-j on, that is where fewer than 2^32 / 3^j cells follow.
+    // j digits 2 lead those of x from 1 - 3^-j on, that is where fewer than 2^32 / 3^j cells
+    // follow.
     let mut step = STEPS[0];
     if !cell < step[0] {
         for next in &STEPS[1..] {

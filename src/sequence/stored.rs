@@ -101,8 +101,9 @@ impl Sequence for Stored<'_> {
     }
 }
 
-/// Slots and points along two slices: a chained iterator would ask at each point which of its halves it is in,
-/// and inlined into the loop over stretches it would leave the map too few registers.
+/// Slots and points along two slices: a chained iterator would ask at each point which of its
+/// halves it is in, and inlined into the loop over stretches it would leave the map too few
+/// registers.
 #[inline(never)]
 fn walk<P>(points: &[[u32; 2]], slots: &mut [P], map: impl Fn([u32; 2]) -> P) {
     for (slot, point) in slots.iter_mut().zip(points) {

@@ -69,7 +69,8 @@ macro_rules! walks {
 }
 pub(super) use walks;
 
-/// Whether a block of indices from `start` on is inside a set, which does not repeat before its end.
+/// Whether a block of indices from `start` on is inside a set, which does not repeat before its
+/// end.
 #[inline(always)]
 pub(super) const fn is_inside(start: u32, size: u32) -> bool {
     start as u64 + BLOCK as u64 <= size as u64

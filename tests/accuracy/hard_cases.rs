@@ -1,6 +1,6 @@
 //! Hard cases against mpmath (tests/derive/maps.py): corners, axes, diagonals, both outer rings and
-//! the last coordinates, for exponents from -0.9 to 3e38, in every arithmetic. An arithmetic that reads 16
-//! bits of a coordinate has a table of its own.
+//! the last coordinates, for exponents from -0.9 to 3e38, in every arithmetic. An arithmetic that
+//! reads 16 bits of a coordinate has a table of its own.
 
 use hemidisc::invariant::{self, Exact};
 use hemidisc::{Invert, LibmF32, LibmF64};

@@ -30,8 +30,8 @@ fn the_blur_is_the_circle_of_confusion<A: Float>() {
     }
 }
 
-/// A lens of radius 0 is a pinhole to the last bit, whatever the aperture; so is one in focus at infinity but for
-/// where its rays begin.
+/// A lens of radius 0 is a pinhole to the last bit, whatever the aperture; so is one in focus at
+/// infinity but for where its rays begin.
 fn a_pinhole_is_exact<A: Float>() {
     let ahead = [A::real(0.3), A::real(-0.7)];
     let round = ThinLens::new(Concentric::<A>::new(), A::Real::ZERO, A::real(2.0)).unwrap();

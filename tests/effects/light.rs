@@ -20,8 +20,9 @@ fn irradiance<A: Float>(light: &DiscLight<A>, offset: f64, uv: [u32; 2]) -> f64 
     sample.weight.into() * light.area().into() * cosine.max(0.0)
 }
 
-/// On a parallel receiver at an offset a from the axis: pi/2 (1 - (a^2 + h^2 - r^2) / sqrt((a^2 + h^2 + r^2)^2 -
-/// 4 a^2 r^2)), which on the axis is pi r^2 / (h^2 + r^2).
+/// On a parallel receiver at an offset a from the axis: pi/2
+/// (1 - (a^2 + h^2 - r^2) / sqrt((a^2 + h^2 + r^2)^2 - 4 a^2 r^2)), which on the axis is pi
+/// r^2 / (h^2 + r^2).
 fn irradiance_is_that_of_the_closed_form<A: Float>() {
     for (offset, height, radius) in
         [(0.0, 1.0, 0.5), (0.0, 10.0, 1.0), (0.0, 0.25, 1.0), (1.0, 1.0, 0.5), (2.0, 0.5, 1.0_f64)]
@@ -92,8 +93,8 @@ fn no_light_where_none_goes<A: Float>() {
     }
 }
 
-/// A receiver comes as near to a point light as numbers go: weights stay finite, and where the square of the
-/// distance has no room they are 0.
+/// A receiver comes as near to a point light as numbers go: weights stay finite, and where the
+/// square of the distance has no room they are 0.
 fn nearness_has_an_end<A: Float>() {
     let light = lamp::<A>(0.0, 0.0);
     let (mut distance, mut lit) = (A::Real::ONE, 0);
@@ -151,8 +152,8 @@ fn the_largest_light_is_finite<A: Float>() {
     assert!(matches!(found, Err(Error::Radius { .. })));
 }
 
-/// However a light is turned and wherever it is, a receiver in its plane gets nothing, as rounding may have it on
-/// either side; one that is off by more than coordinates round gets what it should.
+/// However a light is turned and wherever it is, a receiver in its plane gets nothing, as rounding
+/// may have it on either side; one that is off by more than coordinates round gets what it should.
 fn a_plane_is_as_thick_as_coordinates_round<A: Float>() {
     for (normal, place) in [
         ([0.3, -0.8, 0.5], [0.0, 0.0, 0.0]),

@@ -1,6 +1,8 @@
-//! The effects against closed forms and where their geometry degenerates, in every arithmetic of floats.
+//! The effects against closed forms and where their geometry degenerates, in every arithmetic of
+//! floats.
 //!
-//! Means are of 4096 scrambled Sobol points, and in one case of random ones, within what chance allows.
+//! Means are of 4096 scrambled Sobol points, and in one case of random ones, within what chance
+//! allows.
 #![cfg(all(feature = "libm", feature = "micromath"))]
 
 mod glossy;

@@ -1,7 +1,9 @@
-//! Mutation: each fault of `list.rs`, one line of `src`, is put in alone and must be caught by the tests that the list names.
+//! Mutation: each fault of `list.rs`, one line of `src`, is put in alone and must be caught by the
+//! tests that the list names.
 //!
-//! A plain run only checks that the list still fits the source. To put the faults in, in a copy of the tree, all of them
-//! or those whose text contains a word; the seconds of the table that it prints include the build:
+//! A plain run only checks that the list still fits the source. To put the faults in, in a copy of
+//! the tree, all of them or those whose text contains a word; the seconds of the table that it
+//! prints include the build:
 //!
 //!     bash .ci/run faults
 //!     HEMIDISC_FAULTS=rounding cargo test --test faults -- --nocapture

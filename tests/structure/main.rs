@@ -1,8 +1,8 @@
-//! The repository's structure: no `#[path]` leads out of its tree, and no files import each other in
-//! a circle.
+//! The repository's structure: no `#[path]` leads out of its tree, and no files import each other
+//! in a circle.
 //!
-//! A file is read after those that it imports, so a circle has no first file. Both checks are shown to
-//! fail, on trees in memory.
+//! A file is read after those that it imports, so a circle has no first file. Both checks are shown
+//! to fail, on trees in memory.
 
 mod imports;
 mod tokens;
@@ -13,8 +13,8 @@ use std::fs;
 use std::path::Path;
 use tokens::{Token, tokens};
 
-/// The `#[path]`s that lead out of their trees today. Those of examples go when examples and benches
-/// are crates of their own.
+/// The `#[path]`s that lead out of their trees today. Those of examples go when examples and
+/// benches are crates of their own.
 const OUTWARD: &[&str] = &[
     "benches/accuracy/main.rs: examples/gallery/canvas.rs",
     "benches/accuracy/main.rs: examples/gallery/curve.rs",

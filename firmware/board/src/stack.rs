@@ -10,8 +10,8 @@ const PAINT: u32 = 0xdead_10cc;
 /// The deepest byte below this function's own frame that `f` wrote.
 #[inline(never)]
 pub fn depth(mut f: impl FnMut()) -> usize {
-    // SAFETY: the board's RAM goes down as far as this below the stack of the programs, and nothing is kept
-    // there.
+    // SAFETY: the board's RAM goes down as far as this below the stack of the programs, and nothing
+    // is kept there.
     let top = unsafe { paint(PAINT, PAINTED) };
     f();
     let mut address = top - PAINTED;

@@ -1,5 +1,6 @@
-//! 256 pixels of a scene that calls for no effect, and of the same one with each alone and with all: what effects
-//! cost in instructions and in flash where they are, and that they cost nothing where they are not.
+//! 256 pixels of a scene that calls for no effect, and of the same one with each alone and with
+//! all: what effects cost in instructions and in flash where they are, and that they cost nothing
+//! where they are not.
 
 use crate::Visitor;
 use core::hint::black_box;

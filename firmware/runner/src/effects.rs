@@ -1,4 +1,5 @@
-//! What an effect leaves in an image: its code where the scene calls for it, and nothing where it does not.
+//! What an effect leaves in an image: its code where the scene calls for it, and nothing where it
+//! does not.
 
 use crate::images::{self, Image};
 use crate::{cores::Core, report::Record};
@@ -12,11 +13,12 @@ const EFFECTS: [(&str, &str); 4] = [
     ("glossy", "glossy"),
 ];
 
-/// Of flash and of instructions, by which a scene without effects may be above a renderer that never had one: it
-/// counts points and rays.
+/// Of flash and of instructions, by which a scene without effects may be above a renderer that
+/// never had one: it counts points and rays.
 const ROOM: f64 = 1.05;
 
-/// An error for an effect in the image of a scene that does not call for it, and for one that is not there.
+/// An error for an effect in the image of a scene that does not call for it, and for one that is
+/// not there.
 pub fn check(path: &str, image: &Image) -> Result<()> {
     let Some(scene) = path.strip_prefix("render/").and_then(|rest| rest.split('/').next()) else {
         return Ok(());

@@ -1,10 +1,10 @@
 //! The kernels over a block of points, in passes.
 //!
 //! One point is a dependency chain of 40 to 130 operations. Out-of-order execution overlaps two or
-//! three such chains, but many short ones. So a block runs in passes, each over a part of the chain,
-//! with the values between them on the stack. On x86-64 that is 1.2 to 1.3 times as fast as one
-//! loop, and more for the power lobe. Where a pass needs what is cheap to form, such as a sign, it
-//! forms it again.
+//! three such chains, but many short ones. So a block runs in passes, each over a part of the
+//! chain, with the values between them on the stack. On x86-64 that is 1.2 to 1.3 times as fast as
+//! one loop, and more for the power lobe. Where a pass needs what is cheap to form, such as a sign,
+//! it forms it again.
 
 use super::disc::{FastDisc, root_to_1};
 use super::functions::{gaps, ln_complement, normal_sqrt};
@@ -79,7 +79,8 @@ pub(super) fn power<D: DiscKernel<Disc = FastDisc>>(
     at_distances::<D>(u, v, x, y);
 }
 
-/// x and y of the points, in the octant. The compiler leaves out what a pass does not use of a point.
+/// x and y of the points, in the octant. The compiler leaves out what a pass does not use of a
+/// point.
 #[inline(always)]
 fn in_octant<D: DiscKernel<Disc = FastDisc>>(
     u: &Block,

@@ -39,8 +39,9 @@ const fn centre(n: u32) -> f32 {
 
 /// (2k + 1) / 2^33 with some low bits of 2k + 1 cleared, correctly rounded.
 ///
-/// The halves of k are put where the mantissas of 2^7 and 2^-10 have these very bits, and the powers are taken
-/// away before the one addition that rounds: no conversion, which few vector units have for 32 bits.
+/// The halves of k are put where the mantissas of 2^7 and 2^-10 have these very bits, and the
+/// powers are taken away before the one addition that rounds: no conversion, which few vector units
+/// have for 32 bits.
 #[inline(always)]
 const fn halves(k: u32, cleared: u32) -> f32 {
     let high = f32::from_bits(128_f32.to_bits() | k >> 16) - (128.0 + 1.0 / 1024.0);
@@ -57,8 +58,8 @@ const fn centre_nearest(k: u32) -> f32 {
 /// (2k + 1) / 2^33 toward zero.
 #[inline(always)]
 pub(super) const fn centre_down(k: u32) -> f32 {
-    // 24 bits are kept. Of the quotient by 2^24 the highest bit is where the first lost one is, which decides
-    // the rounding: without it, it is down.
+    // 24 bits are kept. Of the quotient by 2^24 the highest bit is where the first lost one is,
+    // which decides the rounding: without it, it is down.
     halves(k, k >> 23)
 }
 
@@ -76,8 +77,8 @@ const fn exchanged(mask: u32, [a, b]: [f32; 2]) -> [f32; 2] {
 
 /// The next numbers toward zero of both, where they are within 2 eps of the circle or beyond it.
 ///
-/// The square of the length is computed to 5/4 eps, so a point left alone is inside. One outside is so
-/// by less than the step takes, which tests/fast_f32.rs proves on the rims.
+/// The square of the length is computed to 5/4 eps, so a point left alone is inside. One outside is
+/// so by less than the step takes, which tests/fast_f32.rs proves on the rims.
 #[inline(always)]
 const fn inward([x, y]: [f32; 2]) -> [f32; 2] {
     let near = (x * x + y * y > 1.0 - f32::EPSILON) as u32;
@@ -99,8 +100,8 @@ impl Place {
         signed::<false>(exchanged(self.swap, inward(point)), self.signs)
     }
 
-    /// The point of larger - larger cos and smaller - smaller sin. Not `at_rim` means inside by more than all
-    /// errors: a branch then spares it the exact test.
+    /// The point of larger - larger cos and smaller - smaller sin. Not `at_rim` means inside by
+    /// more than all errors: a branch then spares it the exact test.
     #[inline(always)]
     const fn put<const BRANCHES: bool>(
         self,

@@ -22,8 +22,9 @@ impl FastExponent {
     /// [`Error::Exponent`] for a value that is not a finite number above -1.
     pub(super) fn new(e: f32) -> Result<Self, Error> {
         let exact = PowerExponent::new::<Functions>(e)?;
-        // From 2^42 on sin theta is proportional to 1 / sqrt(e + 1) in f32, and 1 - r^2 may be 1 - 2^-64:
-        // the lobe is that of an exponent between 2^40 and 2^42, shrunk, so that nothing underflows.
+        // From 2^42 on sin theta is proportional to 1 / sqrt(e + 1) in f32, and 1 - r^2 may be
+        // 1 - 2^-64: the lobe is that of an exponent between 2^40 and 2^42, shrunk, so that nothing
+        // underflows.
         let e_plus_1 = f64::from(e) + 1.0;
         let binade = e_plus_1.to_bits() >> 52;
         let k = binade.saturating_sub(1023 + 40) / 2;

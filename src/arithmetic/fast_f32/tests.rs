@@ -143,7 +143,8 @@ fn arc_tangents() {
     assert_eq!(Functions::atan(0.0), 0.0);
 }
 
-/// The polar map and all lobes place a point by its distance and its t = phi / (pi/4) alone: every t.
+/// The polar map and all lobes place a point by its distance and its t = phi / (pi/4) alone: every
+/// t.
 #[test]
 fn no_distance_and_angle_is_outside() {
     let [mut walked, mut outside] = [0_u64; 2];

@@ -47,7 +47,8 @@ fn log_one_minus_r2<T: Float>(
 ) -> T::Real {
     let s2 = length_squared(x, y);
     if s2 <= T::Real::HALF {
-        // ln z = ln(1 - s^2) / 2 = -g s^2 / 2; scaled first, for s^2 may underflow where s does not.
+        // ln z = ln(1 - s^2) / 2 = -g s^2 / 2; scaled first, for s^2 may underflow where s does
+        // not.
         let scaled = length_squared(x / exponent.spread, y / exponent.spread);
         let g = if s2 < T::Real::EPSILON { T::Real::ONE } else { T::ln_1p(-s2) / -s2 };
         -(scaled * g)

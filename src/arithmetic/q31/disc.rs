@@ -22,7 +22,8 @@ pub struct Q31Disc {
     pub(super) one_minus_r2: u64,
 }
 
-/// The number of a magnitude in LSBs, below 2^31, and a mask that is -1 where it is positive, else 0.
+/// The number of a magnitude in LSBs, below 2^31, and a mask that is -1 where it is positive,
+/// else 0.
 #[inline(always)]
 pub(super) const fn signed(magnitude: u32, positive: i32) -> Q31 {
     Q31::from_bits(positive.wrapping_sub(magnitude.cast_signed() ^ positive))
@@ -61,8 +62,8 @@ impl Q31Disc {
     }
 }
 
-/// With r^2 and 1 - r^2 where `R2` asks for them: the compiler does not always remove a product that
-/// nobody reads.
+/// With r^2 and 1 - r^2 where `R2` asks for them: the compiler does not always remove a product
+/// that nobody reads.
 #[inline(always)]
 pub(super) const fn concentric<const R2: bool>([u, v]: [u32; 2]) -> Q31Disc {
     let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));

@@ -79,7 +79,8 @@ pub(super) fn unfold(magnitude: u32, positive: i32) -> u32 {
     0x7fff_ffff_u32.saturating_sub(magnitude) ^ positive.cast_unsigned()
 }
 
-/// Whether |y| > |x|, and the angle from the nearer axis as a fraction of an octant in units of 2^-62.
+/// Whether |y| > |x|, and the angle from the nearer axis as a fraction of an octant in units of
+/// 2^-62.
 fn octant_fraction(lowered: Lowered) -> (bool, u64) {
     let steep = lowered.y > lowered.x;
     let (a, b) = if steep { (lowered.y, lowered.x) } else { (lowered.x, lowered.y) };
