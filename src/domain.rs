@@ -40,7 +40,7 @@ impl Domain {
         Self { state: absorb(self.state, key) }
     }
 
-    /// The domain of a pixel under this one; no child's.
+    /// The domain of a pixel under this one. No child has the same domain.
     pub const fn pixel(self, x: u32, y: u32) -> Self {
         let [a, b] = self.state;
         Self { state: absorb(absorb([b, a], x), y) }
@@ -49,7 +49,7 @@ impl Domain {
     /// The domain in which every sample of this one branches into `ways`: that of
     /// [`child(key)`](Self::child).
     ///
-    /// The branches of all samples together are one stream: as even as if it had not been split.
+    /// The branches of all samples together are one stream, as even as an unsplit one.
     pub const fn split(self, key: u32, ways: u32) -> Split {
         Split { domain: self.child(key), ways }
     }

@@ -1,5 +1,4 @@
-//! What the target's processor does well: every `cfg` of a processor, its reason and its
-//! measurement.
+//! The target's processor: every `cfg` of one, its reason and its measurement.
 //!
 //! The bits are the same whichever form a constant chooses. Tests compile both forms of each kernel
 //! and compare them. docs/firmware.md has the instructions counted on each core.
@@ -55,6 +54,6 @@ pub(crate) const REVERSES_BITS: bool = !HALVES && !cfg!(target_arch = "riscv32")
 pub(crate) const VECTORS_OF_HALVES: bool =
     cfg!(all(any(target_arch = "x86", target_arch = "x86_64"), not(target_feature = "sse4.1")));
 
-/// Whether the processor's words have 64 bits: it multiplies them to 128, and it guesses at
-/// branches far ahead, so a choice that it would guess wrong every other time is a look-up instead.
+/// Whether the processor's words have 64 bits. It then multiplies them to 128, and it predicts
+/// branches far ahead, so a choice that it would mispredict every other time is a look-up instead.
 pub(crate) const WIDE_WORDS: bool = cfg!(target_pointer_width = "64");

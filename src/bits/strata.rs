@@ -24,7 +24,7 @@ pub(crate) struct Strata {
 }
 
 impl Strata {
-    /// The largest count for which `fraction` tells the edges by itself.
+    /// The largest count for which `fraction` alone gives the edges.
     const SHORT: u32 = 1 << 16;
 
     /// `count` is at least 1: the constructors of sets have checked it.
@@ -135,7 +135,7 @@ mod tests {
         }
     }
 
-    /// The counts of the short form whose fractions are the closest call: all their edges.
+    /// All edges of the short form's counts whose fractions are closest to failing.
     #[test]
     fn the_longest_short_form_is_exact() {
         for count in (65_500..=Strata::SHORT).chain([46_341, 32_768, 32_769, 54_321]) {

@@ -90,7 +90,7 @@ impl Sequence for Correlated {
         Self::at(*self, index)
     }
 
-    /// A round of the permutations for all at a time.
+    /// Each round of the permutations runs over the whole block.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         let Self { grid, fine, .. } = *self;

@@ -14,7 +14,7 @@ use crate::target::HALVES;
 ///
 /// Promise: any 2^a 3^b consecutive points hit each of the 2^a x 3^b elementary intervals once, for
 /// b <= 19. (3^20 intervals are as narrow as a cell, and rounding up to a cell may cross an edge.)
-/// Takes no seed. A point costs up to 20 divisions by 3, one that follows another a few additions.
+/// Takes no seed. A point by its index costs up to 20 divisions by 3, the next one a few additions.
 ///
 /// ```
 /// use hemidisc::sequence::Halton;
@@ -37,7 +37,7 @@ impl Halton {
     }
 }
 
-/// The ternary digits that a coordinate tells apart, and 3 to their power.
+/// The ternary digits that a coordinate can distinguish, and 3 to their power.
 const DIGITS: u32 = 20;
 const SCALE: u32 = 3_u32.pow(DIGITS);
 
@@ -51,8 +51,7 @@ const fn radical_inverse_3(index: u32) -> u32 {
         let third = third(rest);
         mirrored += (rest - 3 * third) * weight;
         rest = third;
-        // A third of a multiple of 3, and of no use after the last digit: 3 0xaaaa_aaab = 1 mod
-        // 2^32.
+        // A third of a multiple of 3, unused after the last digit: 3 0xaaaa_aaab = 1 mod 2^32.
         weight = weight.wrapping_mul(0xaaaa_aaab);
         digits += 1;
     }
@@ -62,7 +61,7 @@ const fn radical_inverse_3(index: u32) -> u32 {
     cell + (rest > 0 && slack <= u32::MAX / 3) as u32
 }
 
-/// floor(n / 3), by products for a core that does not divide.
+/// floor(n / 3), by products for a core without a divider.
 #[inline(always)]
 const fn third(n: u32) -> u32 {
     if !HALVES {
@@ -89,8 +88,8 @@ const fn scaled(m: u32) -> u32 {
     near + (near.wrapping_mul(SCALE) > SCALE / 4) as u32
 }
 
-/// 4 / 3^(j + 1) of the axis, without whole ones: what the index after one that ends in j digits 2
-/// is further on. In cells, rounded down, and the remainder in 3^-20 cells.
+/// 4 / 3^(j + 1) of the axis modulo 1: the step from an index that ends in j digits 2 to the next.
+/// In cells, rounded down, and the remainder in 3^-20 cells.
 const STEPS: [[u32; 2]; DIGITS as usize] = {
     let mut steps = [[0; 2]; DIGITS as usize];
     let (mut digit, mut weight) = (0, SCALE as u64 / 3);
@@ -144,7 +143,7 @@ impl Walk for Halton {
     #[inline(always)]
     fn enter(&self, index: u32) -> (Self::State, u32) {
         let state = (Reversed::new(index), radical_inverse_3(index));
-        // From 3^20 on a cell does not tell the digits.
+        // From 3^20 on a cell does not determine the digits.
         (state, SCALE.saturating_sub(index).max(1))
     }
 
@@ -170,7 +169,7 @@ mod tests {
         }
     }
 
-    /// At all carries, the longest too.
+    /// At every carry, including the longest.
     #[test]
     fn a_step_is_the_next_point() {
         let powers = (0..DIGITS).flat_map(|digit| [1, 2, 3].map(|n| n * 3_u32.pow(digit)));

@@ -94,7 +94,7 @@ impl Sequence for MultiJittered {
 
     walks!();
 
-    /// A round of the permutations for all at a time.
+    /// Each round of the permutations runs over the whole block.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         let Self { grid, fine, .. } = *self;

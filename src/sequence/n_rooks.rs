@@ -78,7 +78,7 @@ impl Sequence for NRooks {
 
     walks!();
 
-    /// A round of the permutation for all at a time.
+    /// Each round of the permutation runs over the whole block.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         let Self { strata, rows, jitter } = *self;

@@ -66,8 +66,8 @@ impl SobolOwen {
 }
 
 /// An aligned block of indices is shuffled within itself and moved as a whole, and Pascal's matrix
-/// is linear over xor: what differs in a block are the low bits of both coordinates, reversed. In
-/// passes, for the chain of a point is 60 operations long.
+/// is linear over xor. So within a block only the low bits of both reversed coordinates differ. The
+/// block runs in passes, because a point is a dependency chain of 60 operations.
 impl SobolOwen {
     #[inline(always)]
     fn block_in_words(self, start: u32, u: &mut Block, v: &mut Block) {
@@ -102,7 +102,7 @@ impl SobolOwen {
     }
 }
 
-/// The bits of an index that tell the points of a block apart.
+/// The bits of an index that distinguish the points of a block.
 const LOW: u32 = BLOCK as u32 - 1;
 
 /// Nested-uniform shuffle of the index: aligned blocks of 2^k stay aligned blocks of 2^k.

@@ -11,7 +11,7 @@ use core::iter::Take;
 use core::marker::PhantomData;
 use core::num::NonZeroU32;
 
-/// An iterator adaptor from coordinates to the points of the disc that survive.
+/// An iterator adaptor that keeps the candidates inside the disc.
 ///
 /// The draws are bounded: by the length of the candidates ([`new`](Self::new)), to a number in all
 /// ([`with_draws`](Self::with_draws)) or to a number for each point
