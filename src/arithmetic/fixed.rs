@@ -2,8 +2,8 @@
 //!
 //! A number is an integer count of LSBs of 2^-15 or 2^-31: the layout of I1F15 and I1F31 of the
 //! crate `fixed`, so bits pass between the two as they are. The range is [-1, 1 - LSB]; 1 is not in
-//! it, so what would round to 1 becomes 1 - LSB. The maps give no -1 either: every point has its
-//! mirror image.
+//! it, so what would round to 1 becomes 1 - LSB. The maps never give -1 either, so every point has
+//! its mirror image.
 
 pub(super) mod root;
 pub(super) mod rotation;
@@ -28,7 +28,7 @@ macro_rules! number {
             pub const ZERO: Self = Self(0);
             /// The smallest step.
             pub const LSB: Self = Self(1);
-            /// The largest number, 1 - LSB: what stands for 1.
+            /// The largest number, 1 - LSB, which stands for 1.
             pub const MAX: Self = Self($bits::MAX);
 
             /// The number of a count of LSBs.
@@ -61,14 +61,14 @@ macro_rules! number {
         impl core::ops::Neg for $number {
             type Output = Self;
 
-            /// The mirror image; of -1, which no map gives, it is 1 - LSB.
+            /// The mirror image. That of -1, which no map gives, is 1 - LSB.
             #[inline]
             fn neg(self) -> Self {
                 Self(self.0.saturating_neg())
             }
         }
 
-        /// The exact decimal value, or to the places asked for.
+        /// The exact decimal value, or rounded to the requested places.
         impl fmt::Display for $number {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 if f.precision().is_some() {

@@ -42,12 +42,12 @@ use inverse::Lowered;
 
 impl<T: Float> Sealed for T {}
 
-/// An arithmetic of `f32` or `f64` that takes square roots: what distances and unit vectors need.
+/// An arithmetic of `f32` or `f64` with a square root, which distances and unit vectors need.
 pub trait Root: Arithmetic<Real: Real> {
     /// Square root of x in [0, MAX].
     ///
-    /// For normal numbers and 0 it is within 2^-52 in `f64` and 2.5e-7 in `f32`, relative. A
-    /// subnormal number's may be 1 % off. Of other x it is unspecified.
+    /// For normal numbers and 0 it is within 2^-52 in `f64` and 2.5e-7 in `f32`, relative. For a
+    /// subnormal number it may be 1 % off. For other x it is unspecified.
     fn sqrt(x: Self::Real) -> Self::Real;
 
     /// A point of the disc in the parts that a lobe lifts.

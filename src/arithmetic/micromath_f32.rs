@@ -29,7 +29,7 @@
 //! | power, here | 1.1e-3 | 1.0e-3 | 1.0e-3 | 1.3e-5 | 6.2e-2 | 1.9e-3 |
 //!
 //! The density of a lobe falls with the square of theta, so at the rim it multiplies the error of
-//! theta by 2 |ln(1 - r^2)| and a little more: 6.2 % is that of a point where the density is 2e-10
+//! theta by a little more than 2 |ln(1 - r^2)|. The 6.2 % are at a point where the density is 2e-10
 //! of its peak.
 //!
 //! **sqrt**: the seed is 0 to 6.1 % too large; times 0.9705 it is within 3 %, and two of Heron's
@@ -38,7 +38,7 @@
 //! sqrt 2] the rest is below 2 s^9 / 9. **exp**: e^x = 2^k e^f with |f| <= ln(2) / 2, and e^f - 1
 //! by its series to f^5. **atan**: one of Newton's steps from the seed, a + tan(b - a) = a + (t cos
 //! a - sin a) / (cos a + t sin a), with the same sine and cosine, so that it inverts those and not
-//! the true ones.
+//! the exact ones.
 
 use super::Float;
 use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};

@@ -100,7 +100,7 @@ impl Arithmetic for Q31 {
     fn uniform(disc: Q31Disc) -> [Self; 3] {
         // sqrt(1 + (1 - r^2)) / 2, so that a product with it is in LSBs.
         let half = root((1 << 62) + (disc.one_minus_r2 >> 2));
-        // Toward zero, for no point may leave the hemisphere.
+        // Toward zero, because no point may leave the hemisphere.
         let scaled = |x: u32| high(x, half);
         let [x_positive, y_positive] = disc.positive;
         let (x, y) = (signed(scaled(disc.x), x_positive), signed(scaled(disc.y), y_positive));

@@ -154,7 +154,7 @@ impl<A: Root> DiscLight<A> {
     }
 }
 
-/// |x n_x| + |y n_y| + |z n_z|, of which the product of both rounds by some eps.
+/// |x n_x| + |y n_y| + |z n_z|: the dot product's rounding error is some eps of it.
 #[inline]
 fn size<R: Real>(point: [R; 3], normal: [R; 3]) -> R {
     dot(point.map(R::magnitude), normal.map(R::magnitude))

@@ -32,7 +32,7 @@ pub(in crate::arithmetic) const fn root(n: u64) -> u32 {
     root_by::<HALVES>(n)
 }
 
-/// Whatever the products on the way, the end is the floor.
+/// The result is the floor, whichever products are used.
 #[inline(always)]
 const fn root_by<const BY_HALVES: bool>(n: u64) -> u32 {
     if n == 0 {
@@ -87,7 +87,7 @@ const fn counted(n: u64) -> (u64, u32) {
     (n << shift, shift)
 }
 
-/// The same where zeros are not counted in one instruction: most of a disc has none.
+/// The same for a core that does not count zeros in one instruction: most of a disc has none.
 #[inline(always)]
 const fn shifted(n: u64) -> (u64, u32) {
     let (mut normal, mut shift) = (n, 0);

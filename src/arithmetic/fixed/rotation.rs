@@ -3,9 +3,9 @@
 //! With a vector (m, n), 0 <= n <= m, t = n/m is near a t_j = j / 128, and the concentric map's
 //! angle is pi/4 t = pi/4 t_j + delta, where delta = pi/4 (n - m t_j) / m. The difference is formed
 //! without a division and without rounding, so q = m sin delta = pi/4 (n - m t_j) (1 - delta^2 / 6)
-//! and p = m cos delta = m - m delta^2 / 2 are as exact as the words allow; only the small second
-//! terms need the quotient, to 16 bits. That a coordinate is m + 1/2 costs half an LSB, inward, and
-//! spares a bit.
+//! and p = m cos delta = m - m delta^2 / 2 are as exact as the words allow. Only the small second
+//! terms need the quotient, to 16 bits. Taking m for a coordinate's m + 1/2 costs half an LSB,
+//! inward, and saves a bit.
 //!
 //! The vector (p, q) is rotated to t_j in three shears, y' = q + p T, x = p - y' S, y = y' + x T,
 //! with S the sine and T the tangent of half the angle: three products instead of four.
@@ -59,7 +59,7 @@ const ROTATIONS: [[u32; PARTS + 1]; 2] = {
     }
     table
 };
-/// Apart, for the index is then all of a load's address.
+/// A separate table: its index is then the whole address of a load.
 static TANGENTS: [u32; PARTS + 1] = ROTATIONS[0];
 static SINES: [u32; PARTS + 1] = ROTATIONS[1];
 
@@ -88,7 +88,7 @@ static RECIPROCALS: [u16; 224] = {
 };
 
 /// 2^46 / m for m in [2^28, 2^31), too small by at most 1 part in 2^14 at 2^31 and in 2^11.9 at
-/// 2^28: a crude value and a Newton step. None nearer the centre.
+/// 2^28: a crude value and a Newton step. Undefined nearer the centre.
 #[inline(always)]
 const fn reciprocal(m: u32) -> Option<u32> {
     let k = (m >> 23).wrapping_sub(32) as usize;

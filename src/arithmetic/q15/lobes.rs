@@ -44,7 +44,7 @@ const HALF_LSB_Q30: u32 = 1 << 14;
 /// Half an LSB of Q15 in 2^-31.
 const HALF_LSB_Q31: u32 = 1 << 15;
 
-/// An exponent with what the power lobe needs of it.
+/// An exponent with the power lobe's precomputed values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Q15Exponent {
     e: FixedExponent,
@@ -116,7 +116,7 @@ const fn height(z_q32: u32) -> Q15 {
     Q15::from_bits((z_q32 >> 17) as i16)
 }
 
-/// A component from 2^-31 to the nearest LSB, for the narrowest lobes have few.
+/// A component from 2^-31 to the nearest LSB, because the narrowest lobes have few.
 #[inline(always)]
 const fn rounded(magnitude_q31: u32, positive: i32) -> Q15 {
     signed((magnitude_q31 + HALF_LSB_Q31) >> 16, positive)
@@ -211,7 +211,7 @@ const fn power_near_pole(exponent: Q15Exponent, disc: Q15Disc) -> [Q15; 3] {
 #[inline(always)]
 const fn log_of_complement(disc: Q15Disc) -> u32 {
     // 1 - r^2 = mantissa 2^-whole with a mantissa in [1, 2) when the loop has ended. The 1, of
-    // 2^-32, ends it whatever r^2 is.
+    // 2^-32, ends it for any r^2.
     let (mut mantissa_q31, mut whole) = ((disc.one_minus_r2() << 1) | 1, 2);
     while mantissa_q31 >> 31 == 0 {
         mantissa_q31 <<= 1;
@@ -262,8 +262,8 @@ const fn power_above_half(
 /// r^2 >= 1/2 and lambda >= 1, so z <= 1/2 and nothing cancels in sin^2 theta = 1 - z^2. `whole` is
 /// the floor of lambda, and `power_q32` is 2^-(the rest) plus [`HALF`].
 ///
-/// Where e is small, sin theta is 1 but for the last digits over a wide rim: all is rounded toward
-/// zero.
+/// Where e is small, sin theta is 1 except for the last digits over a wide rim, so everything is
+/// rounded toward zero.
 #[inline(always)]
 const fn power_below_half(disc: Q15Disc, whole: u32, power_q32: u32) -> [Q15; 3] {
     let z_q32 = (power_q32 - HALF) >> whole;

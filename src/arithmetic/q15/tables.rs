@@ -214,12 +214,11 @@ pub(super) struct Lines {
 pub(super) const BUCKETS: u32 = 62;
 
 /// How much smaller than 1 the circle of the lines is, so that no line leaves the disc where a
-/// crude quotient takes it beyond its bucket: chosen as small as the exhaustive test lets it be.
+/// crude quotient takes it beyond its bucket: the smallest value that passes the exhaustive test.
 const INWARD: f64 = 0.65 / 32_768.0;
 
 /// The line of slope near `slope` that comes nearest to `height` at `centre`, in 2^-15: intercept
-/// and slope. Slopes a few units off tilt the line by nothing that counts but reach heights between
-/// units.
+/// and slope. Slopes a few units off barely tilt the line, but reach heights between units.
 const fn line(height: f64, slope: f64, centre: f64) -> [f64; 2] {
     let (mut best, mut least) = ([0.0, 0.0], 1.0);
     let nearest = (slope * 32_768.0) as i64;
