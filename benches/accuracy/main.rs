@@ -1,5 +1,5 @@
-//! What accuracy costs: for every map x arithmetic the errors, the evenness that is left of a set,
-//! and what a point costs on this machine and on the boards.
+//! What accuracy costs. For every map x arithmetic: the errors, the evenness of a set, and the cost
+//! of a point on this machine and on the boards.
 //!
 //! ```text
 //! cargo bench --bench accuracy                  writes target/accuracy/{report.json, report.md, pareto.svg}

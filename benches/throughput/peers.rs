@@ -11,8 +11,8 @@ use testkit::textbook::{
     suffern_power, unit,
 };
 
-/// The functions of std, which are the platform's: what a renderer in C++ or Rust calls; and with
-/// `libm`'s power.
+/// The functions of std, which are the platform's, as a renderer in C++ or Rust calls them; and the
+/// same with `libm`'s power.
 struct Std<const LIBM_POWER: bool = false>;
 
 impl<const LIBM_POWER: bool> Functions for Std<LIBM_POWER> {
