@@ -74,7 +74,7 @@ fn r2_steps_on_the_plastic_number() {
     assert_eq!(R2::new(0).at(1), R2::new(0).at(0).map(|step| step.wrapping_mul(2)));
 }
 
-/// Values worked by hand from DESIGN.md: centres of 2 x 2 and of 3 x 1 cells.
+/// Values worked by hand: centres of 2 x 2 and of 3 x 1 cells.
 #[test]
 fn regular_centres() {
     let quarters = [[1_u32, 1], [3, 1], [1, 3], [3, 3]].map(|point| point.map(|k| k << 30));

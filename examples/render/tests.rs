@@ -1,5 +1,4 @@
-//! What an absent effect costs and changes: nothing. And that pictures do not depend on how they
-//! are split.
+//! An absent effect costs and changes nothing, and pictures do not depend on how they are split.
 
 mod closed_forms;
 mod command;

@@ -98,7 +98,7 @@ fn a_very_sharp_lobe_is_a_mirror<A: Float>() {
     }
 }
 
-/// From below, the normal is the other one; along the surface, no sample is lost but by policy.
+/// From below, the opposite normal applies. Along the surface only the policy loses samples.
 fn both_sides_reflect<A: Float>() {
     let gloss = gloss::<A>(30.0, BelowHorizon::Flip);
     for i in 0..100 {

@@ -17,7 +17,7 @@ use hemidisc::sequence::{Sequence, SobolOwen};
 /// Points of a mean.
 const COUNT: u32 = 4096;
 
-/// An arithmetic of floats with what its results are good to.
+/// An arithmetic of floats with the accuracy of its results.
 trait Float: Root {
     const EPS: f64;
 
@@ -89,7 +89,7 @@ fn mean(sequence: impl Sequence, value: impl Fn([u32; 2]) -> f64) -> [f64; 2] {
     [mean, (variance / n).sqrt()]
 }
 
-/// Fails for a value that is not within `tolerance` of `exact`, or not a number.
+/// Fails for a value that is NaN or not within `tolerance` of `exact`.
 #[track_caller]
 fn assert_near(found: f64, exact: f64, tolerance: f64, what: &str) {
     assert!((found - exact).abs() <= tolerance, "{what}: {found}, not {exact} within {tolerance}");

@@ -96,7 +96,7 @@ fn failures(tree: &Path, fault: &Fault) -> BTreeSet<String> {
         cargo.envs([("CARGO_PROFILE_TEST_OPT_LEVEL", "0"), ("CARGO_PROFILE_TEST_DEBUG", "0")]);
         let output = cargo.output().unwrap();
         let text = String::from_utf8_lossy(&output.stdout);
-        // A fault that does not compile would be caught by anything.
+        // Any test would catch a fault that does not compile.
         assert!(text.contains("test result:"), "{}", String::from_utf8_lossy(&output.stderr));
         let lines = text.lines().filter_map(|line| line.strip_suffix(" ... FAILED"));
         failed.extend(

@@ -1,5 +1,5 @@
-//! Proves what each sequence promises, exactly and on integers, and that what is called random
-//! cannot be told from uniform noise by chi-square tests of 10^4 to 10^6 draws.
+//! Proves what each sequence promises, exactly and on integers. Chi-square tests of 10^4 to 10^6
+//! draws do not distinguish the random ones from uniform noise.
 //!
 //! | file | proves |
 //! | --- | --- |

@@ -9,7 +9,7 @@
 use hemidisc::bits::{hash::mix, permute::permute};
 use testkit::chi_square::{assert_random, p_value};
 
-/// Fails if the counts are too uneven. For tests of few cells, where evenness is no sign of a
+/// Fails if the counts are too uneven. For tests of few cells, where evenness does not indicate a
 /// fault.
 pub(crate) fn assert_uniform(counts: &[u32], what: &str) {
     let p = p_value(counts);
@@ -175,9 +175,8 @@ fn few_elements_stay() {
     }
 }
 
-/// No simple seed is the identity, nor is 0xe58d538d, which would be if a round's key did not
-/// depend on the number of the round: the hash gives it back, and every round would undo the one
-/// before.
+/// No simple seed gives the identity. Nor does 0xe58d538d, a fixed point of the hash: if a round's
+/// key did not depend on its number, every round would undo the one before.
 #[test]
 fn seeds_are_not_the_identity() {
     for len in [16, 17, 100, 1000, 65_537, u32::MAX] {

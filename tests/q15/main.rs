@@ -2,7 +2,7 @@
 //! the disc in integers, z at least 1 LSB, mirror images, errors within the contract, which is not
 //! stale.
 //!
-//! A plain run takes the rows of radii where trouble lives and a sample of the others; all of them:
+//! A plain run takes the hard radii and a sample of the others; all of them:
 //!
 //!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --all-features --test q15 -- --nocapture
 #![cfg(feature = "fixed-point")]
@@ -289,8 +289,7 @@ fn every_coordinate_over_the_divided_concentric() {
     sweep::<Q15Div>("concentric");
 }
 
-/// What comes out where 16 bits cannot hold the answer: the pole and 16 LSB about it, each to half
-/// an LSB.
+/// The result where 16 bits are too few: the pole and 16 LSB about it, each to half an LSB.
 #[test]
 fn little_is_left_of_the_lobe_at_e_1e8() {
     let exponent = FixedExponent::from(100_000_000);

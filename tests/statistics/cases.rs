@@ -19,7 +19,7 @@ pub(crate) struct Case<'a> {
     /// The error of the density at a given point, relative; in fixed point in parts of the peak,
     /// and 1 LSB.
     pub(crate) density_error: f64,
-    /// Whether numbers are counts of LSBs, so that what is small is coarse.
+    /// Whether numbers are counts of LSBs, so that small ones are coarse.
     pub(crate) fixed: bool,
     contract: Contract,
     pub(crate) sample: &'a dyn Fn([u32; 2]) -> [f64; 3],
@@ -56,7 +56,7 @@ struct Cases<'a> {
     exponent: f64,
 }
 
-/// Per unit of area or of solid angle, whatever the arithmetic counts in.
+/// Per unit of area or of solid angle, also for an arithmetic with relative densities.
 fn scale<A: Arithmetic>(kind: &str, e: f64) -> f64 {
     if A::ABSOLUTE_DENSITY { 1.0 } else { peak(kind, e) }
 }

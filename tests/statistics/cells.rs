@@ -15,7 +15,7 @@ fn turn([x, y, _]: [f64; 3]) -> f64 {
     if turn < 0.0 { turn + 1.0 } else { turn }
 }
 
-/// The fraction of points nearer to the axis: by x and y, and by z where it tells.
+/// The fraction of points nearer to the axis: by x and y, and by z where it is accurate enough.
 fn quantiles(case: &Case, [x, y, z]: [f64; 3]) -> [f64; 2] {
     let s2 = x * x + y * y;
     match case.lobe {
@@ -25,7 +25,7 @@ fn quantiles(case: &Case, [x, y, z]: [f64; 3]) -> [f64; 2] {
     }
 }
 
-/// Whether z tells the fraction to well under a cell: near the pole that of fixed point has few
+/// Whether z gives the fraction to well under a cell: near the pole that of fixed point has few
 /// digits.
 fn z_tells(case: &Case) -> bool {
     !case.fixed || case.lobe.is_none_or(|e| (e + 1.0) * case.position() < 2e-3)
@@ -65,8 +65,8 @@ fn fraction_error(case: &Case, by: &str) -> f64 {
     if by == "z" && case.fixed && case.lobe.is_some() {
         return (e + 1.0) * case.position();
     }
-    // At z = 1/16, the last edge of a uniform lobe, x and y tell z 16 times worse; on the whole
-    // twice.
+    // At z = 1/16, the last edge of a uniform lobe, z from x and y is 16 times less accurate;
+    // overall twice.
     let horizon = if by == "x, y" && case.lobe.is_some_and(|e| e < 0.5) { 2.2 } else { 1.0 };
     case.shift(e) * horizon
 }

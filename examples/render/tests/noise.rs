@@ -8,8 +8,8 @@ use examples::render::sequence::Sequence;
 use hemidisc::FastF32;
 
 const SIZE: [u32; 2] = [480, 320];
-/// Pixels that are looked at are so far apart. A smaller picture has larger pixels, whose noise is
-/// that of what they cover more than that of the effect.
+/// The distance between sampled pixels. In a smaller picture pixels are larger, and their noise
+/// comes from the scene more than from the effect.
 const STEP: usize = 16;
 const SEEDS: u32 = 8;
 /// Squares, so that multi-jittered sets are whole.

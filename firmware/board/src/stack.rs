@@ -1,4 +1,5 @@
-//! The depth of the stack: what lies below it is painted, and afterwards the paint is looked for.
+//! The depth of the stack: the memory below it is painted, and the lowest overwritten byte found
+//! afterwards.
 
 use crate::board::paint;
 use core::ptr::read_volatile;

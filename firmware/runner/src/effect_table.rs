@@ -1,4 +1,4 @@
-//! What each effect costs on a board where a scene calls for it, and where it does not.
+//! The cost of each effect on a board, used and unused.
 
 use crate::folders::root;
 use crate::report::{Record, Report};
