@@ -1,4 +1,4 @@
-//! What is printed by the examples that write pictures into a folder, and what is wrong, on one line.
+//! Output and one-line errors of the examples that write pictures into a folder.
 
 use clap::Parser;
 use std::error::Error;

@@ -1,4 +1,4 @@
-//! What the command line's parser refuses, on one line: the argument, what was wrong and what is accepted.
+//! The command-line parser's errors on one line: the argument, what was wrong and what is accepted.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::error::Error;

@@ -1,8 +1,8 @@
 //! [`Arbitrary`] for what a renderer is configured with: any bytes make a valid value.
 //!
-//! A value is made of parts that any bytes give, by a function that is total: what no constructor takes is mended
-//! first, so that small changes of the bytes stay small changes of the value. Only [`Stored`](crate::sequence::Stored)
-//! is left out: its points are the caller's.
+//! A total function builds a value from parts that any bytes give. It first corrects what a
+//! constructor would refuse, so that small changes of the bytes stay small changes of the value.
+//! Only [`Stored`](crate::sequence::Stored) is left out: its points are the caller's.
 
 use crate::arithmetic::{Arithmetic, Real, Root};
 use crate::catalogue::Parameters;
@@ -148,7 +148,8 @@ fn distance<R: Real>(number: R) -> R {
     if number > R::ZERO { number } else { R::ONE }
 }
 
-/// A unit vector from its stereographic projection, within the square [-1, 1]^2; rational, so it needs no root.
+/// A unit vector from its stereographic projection, within the square [-1, 1]^2; rational, so it
+/// needs no root.
 fn unit_vector<R: Real>((projected, flipped): ([R; 2], bool)) -> [R; 3] {
     let [s, t] = projected.map(|x| {
         let size = x.magnitude();
@@ -167,7 +168,7 @@ made_of! {
     [A: Root<Real: Arbitrary<'a>>]
     DiscLight<A>: ([A::Real; 3], Frame<A::Real>, A::Real, bool) => |(centre, frame, size, both)| {
         let centre = centre.map(|x| if x.finite() { x } else { A::Real::ZERO });
-        // With a rim beyond all numbers it has the radius 1.
+        // If its rim would overflow, its radius is 1.
         let new = |radius| Self::new(centre, frame, radius);
         let light = new(radius(size)).or_else(|_| new(A::Real::ONE))?;
         Ok(if both { light.two_sided() } else { light })
@@ -187,7 +188,7 @@ made_of! {
     Polygon<A, N>: u32 => |rotation| Ok(Self::new(rotation));
     [M: Map<Point = [R; 2]> + Arbitrary<'a>, R: Real + Arbitrary<'a>]
     ThinLens<M, R>: (M, [R; 2]) => |(aperture, [size, focus])| {
-        // In focus too near for its radius it is in focus at infinity.
+        // A focus too near for its radius becomes a focus at infinity.
         let new = |focus| Self::new(aperture, radius(size), focus);
         new(distance(focus)).or_else(|_| new(R::ONE / R::ZERO))
     };

@@ -14,8 +14,9 @@
 //! | `Q31` | `fixed-point` | `Q31` | integers: tables and short series |
 //! | `MicromathF32` | `micromath` | `f32` | three digits: `micromath`'s sine and cosine, the rest refined |
 //!
-//! The plot shows what each costs and how accurate its points are. In a panel, no arithmetic beats a
-//! mark on the line in both. `docs/accuracy.md` has the figures, and says which arithmetic to use.
+//! The plot shows what each costs and how accurate its points are. In each panel the line is the
+//! Pareto frontier: no arithmetic beats its marks in both. `docs/accuracy.md` has the figures, and
+//! says which arithmetic to use.
 //!
 #![doc = include_str!("../docs/accuracy/pareto.svg")]
 
@@ -57,8 +58,9 @@ pub trait Arithmetic:
 
     /// Whether densities are per unit of area or of solid angle.
     ///
-    /// A number type without room for that has parts of the peak instead. The peak is 1 on the
-    /// square, 1 / pi on the disc, and 1 / (2 pi), 1 / pi and (e + 1) / (2 pi) for the lobes.
+    /// A number type whose range is too small for that gives them relative to the peak. The peak is
+    /// 1 on the square, 1 / pi on the disc, and 1 / (2 pi), 1 / pi and (e + 1) / (2 pi) for the
+    /// lobes.
     const ABSOLUTE_DENSITY: bool;
 
     /// A component of a point, as stored.
@@ -72,11 +74,11 @@ pub trait Arithmetic:
     #[doc(hidden)]
     type Disc: Copy + Debug;
 
-    /// A checked exponent with what its kernels need prepared.
+    /// A checked exponent, with precomputed values for its kernels.
     #[doc(hidden)]
     type Exponent: Copy + Debug + PartialEq + Send + Sync + 'static + Into<BackExponent<Self>>;
 
-    /// Inverses and densities: perhaps another arithmetic's, for they are not for the inner loop.
+    /// Inverses and densities, which may be another arithmetic's: they are not for the inner loop.
     #[doc(hidden)]
     type Back: Back<Real = Self::Real>;
 
@@ -84,8 +86,8 @@ pub trait Arithmetic:
     #[doc(hidden)]
     fn square(uv: [u32; 2]) -> [Self::Real; 2];
 
-    /// The square [-1, 1]^2 that rejection draws from, x = 2u - 1, y = 2v - 1, for coordinates inside
-    /// the disc.
+    /// The square [-1, 1]^2 that rejection draws from, x = 2u - 1, y = 2v - 1, for coordinates
+    /// inside the disc.
     #[doc(hidden)]
     fn centred(uv: [u32; 2]) -> [Self::Real; 2];
 
@@ -97,12 +99,12 @@ pub trait Arithmetic:
     #[doc(hidden)]
     fn polar(uv: [u32; 2]) -> Self::Disc;
 
-    /// Rounds a point of the disc to its slot, inward where it would leave the disc.
+    /// Rounds a point of the disc to the stored type, inward where it would leave the disc.
     #[doc(hidden)]
     fn store(disc: Self::Disc) -> [Self::Real; 2];
 
-    /// The concentric map's point, stored. Apart from [`concentric`](Self::concentric), for the
-    /// compiler does not always remove an r^2 that nobody reads.
+    /// The concentric map's point, stored. Separate from [`concentric`](Self::concentric), because
+    /// the compiler does not always remove an unused r^2.
     #[doc(hidden)]
     #[inline(always)]
     fn concentric_point(uv: [u32; 2]) -> [Self::Real; 2] {
@@ -174,8 +176,8 @@ pub trait Arithmetic:
     }
 }
 
-/// Fills a block point by point, each component into its lanes. A macro, for a closure would hide a
-/// long kernel from the inliner.
+/// Fills a block point by point, each component into its lanes. A macro, because a closure would
+/// hide a long kernel from the inliner.
 macro_rules! point_by_point {
     ($u:ident, $v:ident, $out:ident, $uv:ident => $point:expr) => {
         for (lane, (u, v)) in $u.iter().zip($v).enumerate() {
@@ -197,7 +199,7 @@ pub type BackExponent<A> = <<A as Arithmetic>::Back as Back>::Exponent;
 pub trait Back {
     /// A component of a point, as stored.
     type Real: Copy;
-    /// What coordinates are found from: a direction of any length, and r^2.
+    /// The input of the inverses: an unnormalised direction, and r^2.
     type Lowered: Copy;
     /// A checked exponent.
     type Exponent: Copy;

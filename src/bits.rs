@@ -1,4 +1,4 @@
-//! Integer tools under the sequences: all exact on every target, and `const` but for blocks.
+//! Integer tools of the sequences: exact on every target, and `const` except for blocks.
 
 pub(crate) mod grid;
 pub mod hash;

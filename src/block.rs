@@ -1,4 +1,4 @@
-//! Blocks: 64 points at a time, a component after another, which is how vector units like them.
+//! Blocks: 64 points at a time, one array a component, which is the layout that vector code needs.
 //!
 //! A sequence makes the coordinates of a block, a map makes its points, and
 //! [`Points`](crate::Points) stores them: component by component, or interleaved.
@@ -16,10 +16,10 @@ pub type Block = Lanes<u32>;
 pub trait Point: Copy + sealed::Sealed {
     /// The number type of its components.
     type Component: Copy;
-    /// A block of points, a component after another: `[Lanes<Component>; D]`.
+    /// A block of points, one array a component: `[Lanes<Component>; D]`.
     type Components;
 
-    /// A point whose components are all 0: to begin a buffer with.
+    /// A point whose components are all 0: to initialise a buffer.
     fn zero() -> Self;
 
     /// A block of such points.

@@ -52,8 +52,8 @@ pub(crate) fn centre_f64(k: u32) -> f64 {
     (f64::from(k) + 0.5) * SCALE
 }
 
-/// The magnitude m of a coordinate about the centre, 2u - 1 = +-(2m + 1) / 2^32, and its sign: 0, or
-/// -1 where it is negative.
+/// The magnitude m of a coordinate about the centre, 2u - 1 = +-(2m + 1) / 2^32, and its sign: 0,
+/// or -1 where it is negative.
 #[inline(always)]
 pub(crate) const fn fold(k: u32) -> (u32, i32) {
     let j = (k ^ 0x8000_0000).cast_signed();
@@ -74,7 +74,8 @@ pub(crate) struct Angle {
     pub(crate) within: u32,
 }
 
-/// Folds an angle: u and !u are mirror images in the x axis, so they fold before anything is rounded.
+/// Folds an angle: u and !u are mirror images in the x axis, so they fold before anything is
+/// rounded.
 #[inline(always)]
 pub(crate) const fn fold_angle(u: u32) -> Angle {
     let below = (u.cast_signed() >> 31).cast_unsigned();

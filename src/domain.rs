@@ -1,8 +1,9 @@
 //! Domains: independent streams of points for one (pixel, effect, bounce).
 //!
-//! A domain is a 64-bit state; a child hashes a key into it (`hash::absorb`). Its keys scramble each axis
-//! and shuffle the index: two Sobol pairs that share an order leave 12 of the 16 cells of a 4 x 4
-//! grid of (u of one, u of the other) empty (B. Burley 2020, section 5; after OpenQMC's domains).
+//! A domain is a 64-bit state; a child hashes a key into it (`hash::absorb`). Its keys scramble
+//! each axis and shuffle the index: two Sobol pairs that share an order leave 12 of the 16 cells of
+//! a 4 x 4 grid of (u of one, u of the other) empty (B. Burley 2020, section 5; after OpenQMC's
+//! domains).
 
 use crate::bits::{
     hash::{absorb, words},
@@ -39,7 +40,7 @@ impl Domain {
         Self { state: absorb(self.state, key) }
     }
 
-    /// The domain of a pixel under this one; no child's.
+    /// The domain of a pixel under this one. No child has the same domain.
     pub const fn pixel(self, x: u32, y: u32) -> Self {
         let [a, b] = self.state;
         Self { state: absorb(absorb([b, a], x), y) }
@@ -48,7 +49,7 @@ impl Domain {
     /// The domain in which every sample of this one branches into `ways`: that of
     /// [`child(key)`](Self::child).
     ///
-    /// The branches of all samples together are one stream: as even as if it had not been split.
+    /// The branches of all samples together are one stream, as even as an unsplit one.
     pub const fn split(self, key: u32, ways: u32) -> Split {
         Split { domain: self.child(key), ways }
     }
@@ -107,7 +108,8 @@ impl Split {
 
 /// A one-dimensional stream: the Owen-scrambled van der Corput sequence in shuffled order.
 ///
-/// Promise: each block of 2^k values that starts at a multiple of 2^k has one in each of 2^k strata.
+/// Promise: each block of 2^k values that starts at a multiple of 2^k has one in each of 2^k
+/// strata.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Stream {
     order: u32,

@@ -1,4 +1,4 @@
-//! Effects: what a renderer asks of points and directions, each alone.
+//! Effects: a renderer's sampling tasks, independent of each other.
 //!
 //! | effect | points | sample |
 //! | --- | --- | --- |
@@ -7,13 +7,13 @@
 //! | [`AmbientOcclusion`] | directions about a normal | one to be looked along up to a reach |
 //! | [`Glossy`] | directions about the mirror's | one above the surface, by one of three policies |
 //!
-//! A renderer that holds no value of an effect's type pays nothing for it: no point drawn, no code, no table.
-//! Every sample has its density, and the weight that an estimate multiplies with what the sample sees:
-//! the mean of weight times value is the integral that the effect stands for.
+//! An effect that a renderer does not use costs nothing: no point drawn, no code, no table. Every
+//! sample has its density, and the weight to multiply with the value that the sample sees. The mean
+//! of weight times value estimates the effect's integral.
 //!
-//! Numbers are finite for finite input, short of slopes and sums of coordinates beyond MAX, and where nothing is to be
-//! seen the weight is 0: a receiver on the light, in its plane or behind it. Vectors that are to be of unit length are
-//! taken as such.
+//! Results are finite for finite input, unless slopes or sums of coordinates exceed MAX. The weight
+//! is 0 where nothing is visible: a receiver on the light, in its plane or behind it. Unit vectors
+//! are not checked.
 
 mod polygon;
 
@@ -37,7 +37,7 @@ pub struct DirectionSample<R> {
     pub direction: [R; 3],
     /// Per steradian; at most MAX.
     pub density: R,
-    /// What the estimate multiplies with the value seen along the direction.
+    /// The factor of the value seen along the direction.
     pub weight: R,
 }
 
@@ -61,7 +61,7 @@ fn capped<R: Real>(x: R) -> R {
     if x.finite() { x } else { R::MAX }
 }
 
-/// 1 / x for x >= 0, as a normal number: of a density, which is positive.
+/// 1 / x for x >= 0, as a normal number, since a density is positive.
 #[inline]
 fn reciprocal<R: Real>(x: R) -> R {
     let reciprocal = capped(R::ONE / x);

@@ -1,4 +1,4 @@
-//! What can be wrong with a caller's values, each with the value and what is accepted.
+//! Errors in a caller's values, each with the value and what is accepted.
 
 use core::fmt;
 
@@ -116,12 +116,12 @@ pub enum Error {
         /// What was given (an `f32` widens to `f64` exactly).
         value: f64,
     },
-    /// A position with a component that is not a finite number, or of a light whose rim is not at finite numbers.
+    /// A position with a component that is not finite, or of a light whose rim has one.
     Position {
         /// The first such component (an `f32` widens to `f64` exactly).
         value: f64,
     },
-    /// A distance that is not above 0, or one of a lens so near that its radius over it is no finite number.
+    /// A distance that is not above 0, or a lens's so small that radius / distance is not finite.
     Distance {
         /// What was given (an `f32` widens to `f64` exactly).
         value: f64,

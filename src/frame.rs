@@ -102,12 +102,12 @@ pub(crate) fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
 }
 
 /// A map of directions, turned about the third axis of a frame: world-space sampling about a
-/// normal. [`Hemisphere::about`](crate::hemisphere::Hemisphere::about) makes it of a lobe.
+/// normal. [`Hemisphere::about`](crate::hemisphere::Hemisphere::about) turns a lobe.
 ///
-/// Rotation rounds: a direction at the horizon may come out a few eps below the plane, where its
-/// density is 0, and the angle to the axis of a sharp lobe is off by an eps, so the density of a
-/// turned direction is good to about sqrt(e) eps. [`sample_with_density`](Map::sample_with_density)
-/// takes it before the rotation: positive for every sample, and as accurate as the lobe's.
+/// Rotation rounds: a direction at the horizon may end a few eps below the plane, where its density
+/// is 0. The angle to the axis of a sharp lobe is off by an eps, so the density of a turned
+/// direction is accurate to about sqrt(e) eps. [`sample_with_density`](Map::sample_with_density)
+/// takes the density before the rotation: positive for every sample, and as accurate as the lobe's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct About<M, R> {
     map: M,

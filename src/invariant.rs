@@ -1,7 +1,7 @@
 //! The promises as functions: tests, fuzz targets and users share them.
 //!
 //! Each returns `Ok(())` or a [`Violation`] that names the promise and the inputs. They compute in
-//! exact arithmetic, allocate nothing, and are slow next to the maps they check.
+//! exact arithmetic, allocate nothing, and are slower than the maps they check.
 //!
 //! ```
 //! use hemidisc::{Cosine, LibmF32, invariant};
@@ -11,9 +11,9 @@
 //!
 //! # In a fuzz target of your own
 //!
-//! With the feature `arbitrary` what a renderer is configured with implements `arbitrary::Arbitrary`: sequences,
-//! domains, maps, points, frames and effects, whose values are valid whatever the bytes. So a target takes them as its
-//! input, checks what it makes of them, and asks these functions whether a fault is its own or this crate's:
+//! With the feature `arbitrary`, sequences, domains, maps, points, frames and effects implement
+//! `arbitrary::Arbitrary`: any bytes give valid values. So a target takes them as its input and
+//! checks its own results. These functions tell whether a fault is the target's or this crate's:
 //!
 //! ```
 //! # // The macro of `libfuzzer_sys`, for this example to be compiled and run without it.
@@ -159,7 +159,7 @@ pub fn hemisphere<R: Exact, M: Density<Point = [R; 3]>>(
     if !height.is_finite() {
         return Err(Violation::NotFinite { uv });
     }
-    // NaN has gone; what is left compares.
+    // NaN is excluded already, so the comparison is sound.
     if height <= 0.0 {
         return Err(Violation::BelowHorizon { uv });
     }
@@ -209,7 +209,7 @@ fn mirrored<R: Exact, const D: usize>(
     Ok(())
 }
 
-/// That `invert` gives back the very coordinates: promised by `LibmF64` on the disc and for e in
+/// That `invert` gives back the exact coordinates: promised by `LibmF64` on the disc and for e in
 /// [0, 1e8].
 ///
 /// # Errors

@@ -1,4 +1,5 @@
-//! Maps: from coordinates on the unit square to points of the disc and directions of the hemisphere.
+//! Maps: from coordinates on the unit square to points of the disc and directions of the
+//! hemisphere.
 //!
 //! | map | point | density |
 //! | --- | --- | --- |
@@ -27,8 +28,8 @@ pub type Component<M> = <<M as Map>::Point as Point>::Component;
 
 /// A map of the unit square onto a disc, a hemisphere or itself.
 ///
-/// A map of your own needs [`sample`](Self::sample) alone. With [`Density`] it is an aperture of a
-/// lens and has weights. [`Invert`] is for maps that are one-to-one.
+/// A map of your own needs [`sample`](Self::sample) alone. With [`Density`] it can be the aperture
+/// of a lens and has weights. [`Invert`] is for maps that are one-to-one.
 ///
 /// ```
 /// use hemidisc::{FastF32, Map, Points, sequence::Sobol};
@@ -57,7 +58,7 @@ pub trait Map: Copy {
     /// The point of a pair of coordinates; every bit pattern is valid.
     fn sample(&self, uv: [u32; 2]) -> Self::Point;
 
-    /// The points of a block of coordinates, a component after another: the same bits as
+    /// The points of a block of coordinates, one array a component: the same bits as
     /// [`sample`](Self::sample) gives.
     ///
     /// LLVM vectorises a branchless kernel where components are stored into arrays of their own.
@@ -74,7 +75,7 @@ pub trait Density: Map {
     /// The density of samples at a point: per unit of area on the square and the disc, per
     /// steradian on the hemisphere; 0 outside.
     ///
-    /// It is positive and finite at every sampled point, but for one that a frame has turned
+    /// It is positive and finite at every sampled point, except one that a frame has turned
     /// ([`About`](crate::frame::About)).
     fn density(&self, point: Self::Point) -> Component<Self>;
 
@@ -88,7 +89,8 @@ pub trait Density: Map {
 
 /// A one-to-one map.
 pub trait Invert: Density {
-    /// The coordinates that [`sample`](Map::sample) sends to a point, or the nearest it can tell.
+    /// The coordinates that [`sample`](Map::sample) sends to a point, or the nearest that can be
+    /// recovered.
     ///
     /// Total: a point off the disc or the hemisphere, or NaN, gives some coordinates.
     fn invert(&self, point: Self::Point) -> [u32; 2];

@@ -1,8 +1,8 @@
 //! Points: a sequence through a map, as a `Copy` value; and the one loop that fills buffers.
 //!
 //! A part of a set is byte-identical to the same indices of the whole, so a set can be split over
-//! threads, machines or time. Filling takes single points up to a multiple of 64, whole blocks of
-//! 64 a component after another, then the rest. Where blocks do not pay (`target.rs`) it takes all
+//! threads, machines or time. Filling takes single points up to a multiple of 64, then blocks of
+//! 64, one array a component, then the rest. Where blocks do not pay (`target.rs`) it takes all
 //! points one by one. The bits are the same.
 
 use crate::block::{BLOCK, Point};
@@ -45,12 +45,13 @@ impl<S: Sequence, M: Map> Points<S, M> {
         Self { sequence, map, start: 0, len: sequence.size().unwrap_or(u32::MAX) }
     }
 
-    /// The points of a range of indices of `sequence`: the way to index `u32::MAX`.
+    /// The points of a range of indices of `sequence`. Only this constructor reaches index
+    /// `u32::MAX`.
     ///
     /// An unbounded end is the end of the set.
     ///
     /// # Errors
-    /// [`Error::Range`] if the range is not within the set, or is of 2^32 points.
+    /// [`Error::Range`] if the range is not within the set, or has 2^32 points.
     ///
     /// ```
     /// use hemidisc::{Concentric, LibmF32, Points, sequence::Sobol};
@@ -107,7 +108,7 @@ impl<S: Sequence, M: Map> Points<S, M> {
         if shard >= of {
             return Err(Error::Shard { shard, of });
         }
-        // Below `len`, for shard + 1 <= of.
+        // Fits in a `u32`, because shard + 1 <= of.
         let edge = |k: u64| (u64::from(self.len) * k / u64::from(of)) as u32;
         self.range(edge(shard.into())..edge(u64::from(shard) + 1))
     }
@@ -157,7 +158,7 @@ impl<S: Sequence, M: Map> Points<S, M> {
         Iter { points: *self }
     }
 
-    /// Writes points into the caller's buffer until either ends; says how many.
+    /// Writes points into the caller's buffer until either ends; returns how many.
     ///
     /// The rest of a longer buffer is left as it is.
     #[inline]
@@ -167,8 +168,8 @@ impl<S: Sequence, M: Map> Points<S, M> {
         self.fill_slots(buffer, count)
     }
 
-    /// Writes the components of points into a buffer each, until the shortest ends or the set; says
-    /// how many points.
+    /// Writes each component of the points into its own buffer, until the shortest or the set ends;
+    /// returns how many points.
     ///
     /// The numbers are those of [`fill`](Self::fill). The rest of longer buffers is left as it is.
     ///
@@ -277,7 +278,7 @@ fn resolve(range: impl RangeBounds<u32>, len: u64) -> Result<(u32, u32), Error> 
 /// Filling `heapless` vectors, which cannot panic on a short capacity.
 #[cfg(feature = "heapless")]
 impl<S: Sequence, M: Map> Points<S, M> {
-    /// Appends points until the set or the vector's capacity ends; says how many.
+    /// Appends points until the set or the vector's capacity ends; returns how many.
     ///
     /// ```
     /// use hemidisc::{Concentric, LibmF32, Points, sequence::R2};

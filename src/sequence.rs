@@ -59,7 +59,7 @@ pub trait Sequence: Copy {
         looked_up(*self, start)
     }
 
-    /// Writes what `map` makes of the points from index `start` on, a slot each.
+    /// Writes `map` of each point from index `start` on, a slot each.
     #[inline(always)]
     fn fill_with<P>(&self, start: u32, slots: &mut [P], map: impl Fn([u32; 2]) -> P) {
         for (slot, point) in slots.iter_mut().zip(self.iter(start)) {

@@ -3,10 +3,11 @@
 /// An array of the first points of a sequence through a disc map, computed at compile time.
 ///
 /// The map is `Concentric` or `Polar` over an arithmetic whose kernels are `const`:
-/// [`FastF32`](crate::FastF32), and with the feature `fixed-point` `Q31`, `Q15` and `Q15Div`. The sequence is
-/// a call of its constructor, with a `?` where that can fail; a set of exactly so many points, as
-/// [`Hammersley`](crate::sequence::Hammersley), may go by its name alone. What the constructor refuses fails
-/// the build. The points are those of [`Points`](crate::Points), byte for byte.
+/// [`FastF32`](crate::FastF32), and with the feature `fixed-point` `Q31`, `Q15` and `Q15Div`. The
+/// sequence is a call of its constructor, with a `?` where that can fail. For a set of exactly so
+/// many points, such as [`Hammersley`](crate::sequence::Hammersley), the name alone will do. What
+/// the constructor refuses fails the build. The points are those of [`Points`](crate::Points), byte
+/// for byte.
 ///
 /// ```
 /// use hemidisc::sequence::{Hammersley, MultiJittered, Sobol};

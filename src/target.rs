@@ -1,4 +1,4 @@
-//! What the target's processor does well: every `cfg` of a processor, its reason and its measurement.
+//! The target's processor: every `cfg` of one, its reason and its measurement.
 //!
 //! The bits are the same whichever form a constant chooses. Tests compile both forms of each kernel
 //! and compare them. docs/firmware.md has the instructions counted on each core.
@@ -19,14 +19,14 @@ pub(crate) const BRANCHES: bool = !BLOCKED;
 /// Whether the processor lacks the product of 32 x 32 bits to 64: Armv6-M and the baseline of
 /// Armv8-M (Cortex-M0 and M23).
 ///
-/// Such a core calls a routine of 64 x 64 bits for the product of two `u32`. Four products of halves
-/// are a third of its cost. It also lacks instructions that count zeros or reverse bits.
+/// Such a core calls a routine of 64 x 64 bits for the product of two `u32`. Four products of
+/// halves are a third of its cost. It also lacks instructions that count zeros or reverse bits.
 ///
-/// Stable Rust shows neither `thumb2` nor another sign of the difference between a Cortex-M23 and an
-/// M3. Where unstable features are visible (a nightly, or `core` built from source) the M23 is
+/// Stable Rust shows neither `thumb2` nor another sign of the difference between a Cortex-M23 and
+/// an M3. Where unstable features are visible (a nightly, or `core` built from source) the M23 is
 /// recognised; elsewhere `RUSTFLAGS="--cfg hemidisc_short_products"` says so. An M23 that takes the
-/// M3's forms needs up to twice the instructions: 259 for a concentric disc in Q31 where the
-/// M0's form takes 158, and 6738 for a power lobe where it takes 4996.
+/// M3's forms needs up to twice the instructions: 259 for a concentric disc in Q31 where the M0's
+/// form takes 158, and 6738 for a power lobe where it takes 4996.
 pub(crate) const HALVES: bool = cfg!(all(
     target_arch = "arm",
     any(
@@ -54,6 +54,6 @@ pub(crate) const REVERSES_BITS: bool = !HALVES && !cfg!(target_arch = "riscv32")
 pub(crate) const VECTORS_OF_HALVES: bool =
     cfg!(all(any(target_arch = "x86", target_arch = "x86_64"), not(target_feature = "sse4.1")));
 
-/// Whether the processor's words have 64 bits: it multiplies them to 128, and it guesses at branches
-/// far ahead, so a choice that it would guess wrong every other time is a look-up instead.
+/// Whether the processor's words have 64 bits. It then multiplies them to 128, and it predicts
+/// branches far ahead, so a choice that it would mispredict every other time is a look-up instead.
 pub(crate) const WIDE_WORDS: bool = cfg!(target_pointer_width = "64");

@@ -1,4 +1,5 @@
-//! Whatever the bytes, `Arbitrary` makes a value that its constructor would take, and any value can be reached.
+//! Any bytes make `Arbitrary` give a value that its constructor accepts, and any value can be
+//! reached.
 #![cfg(all(feature = "libm", feature = "fixed-point", feature = "arbitrary"))]
 
 use arbitrary::{Arbitrary, Unstructured};
@@ -115,7 +116,7 @@ proptest! {
         uv in any::<[u32; 2]>(),
     ) {
         valid(&bytes, uv);
-        // Many numbers at once at the end of their range: zeros, infinities, none.
+        // Many numbers at once at the end of their range: zeros, infinities, NaN.
         let mut bytes = bytes;
         bytes.iter_mut().take(edges).for_each(|byte| *byte = edge);
         valid(&bytes, uv);

@@ -39,7 +39,7 @@ fn every_sequence_is_listed() {
     let mut names = Names(Vec::new());
     sequences(64, 0, &mut names).unwrap();
     assert_eq!(names.0, SEQUENCES);
-    // What takes points of the caller's has no place in a list of what makes them.
+    // Adaptors of the caller's points are not in a list of sequences that make their own.
     let adaptors = ["stored", "shuffled", "rng"];
     let listed = names.0.iter().map(|name| match *name {
         "nrooks" => "n_rooks".to_string(),

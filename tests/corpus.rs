@@ -1,4 +1,5 @@
-//! Every file of the fuzz corpora through the check of its target, on stable, as the fuzzer runs it.
+//! Every file of the fuzz corpora through the check of its target, on stable, as the fuzzer runs
+//! it.
 #![cfg(all(
     feature = "libm",
     feature = "micromath",
@@ -23,7 +24,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// No file is refused: what does not make an input has no place in a corpus.
+/// No file is refused: a corpus holds valid inputs only.
 fn replay(target: &str) {
     let (_, check) = CHECKS.iter().find(|(name, _)| *name == target).unwrap();
     let files = files(&fuzz("corpus").join(target));
@@ -65,7 +66,7 @@ fn every_target_is_listed() {
     }
 }
 
-/// The dictionary is made of the values where trouble lives: powers of two of coordinates with their neighbours,
+/// The dictionary has the hard values: powers of two of coordinates with their neighbours,
 /// exponents and numbers at the ends of their ranges. To write it anew:
 ///
 ///     HEMIDISC_BLESS=1 cargo test --test corpus

@@ -2,7 +2,7 @@
 //! positive and finite, mirror images equal bit for bit, inverses.
 //!
 //! The rings of the square next to its edge, whose points round to the rim of the disc, are walked
-//! in full: every minor coordinate that the type can tell apart.
+//! in full: every minor coordinate that the type can distinguish.
 #![cfg(feature = "libm")]
 
 use hemidisc::arithmetic::Float;
@@ -69,8 +69,8 @@ proptest! {
     }
 }
 
-/// Whatever is asked of, an answer comes: no panic, no argument that a library of functions does
-/// not expect, a density that is a number and 0 below the horizon.
+/// Every input has a result: no panic, no argument outside a `Float` function's range, a density
+/// that is a number and 0 below the horizon.
 fn total([x, y, z]: [f32; 3], e: f32) {
     let lobes =
         (Power::<Checked>::new(e).unwrap(), Power::over(e, Polar::<Checked>::new()).unwrap());
@@ -136,10 +136,10 @@ fn outward(magnitude: u32) -> u32 {
     0x8000_0000 + magnitude
 }
 
-/// Every m in 0..2^31 that the arithmetic tells from the m before, and each `stride`-th of them: floats
-/// those whose 2m + 1 is another f32, fixed point those whose leading bits differ.
+/// Every m in 0..2^31 that the arithmetic distinguishes from the m before, and each `stride`-th of
+/// them: floats those whose 2m + 1 is another f32, fixed point those whose leading bits differ.
 fn distinct<A: Tested>(stride: usize) -> impl Iterator<Item = u32> {
-    // An f32 tells every m below 2^23, and above that one in 2^(bit - 23).
+    // An f32 distinguishes every m below 2^23, and above that one in 2^(bit - 23).
     let read = A::BITS.min(24);
     let exact = (0..1_u32 << 23).step_by(1 << (32 - A::BITS));
     let rounded = (23..31_u32).flat_map(move |bit| {
@@ -166,7 +166,8 @@ fn walk_ring<A: Tested>(major: u32, stride: usize) -> u64 {
 }
 
 fn no_point_of_the_outer_rings_is_outside<A: Tested>() {
-    // Magnitudes that round to 1 and to each of the three f32 below it; or the last four of 16 bits.
+    // Magnitudes that round to 1 and to each of the three f32 below it; or the last four of 16
+    // bits.
     let full = std::env::var_os("HEMIDISC_EXHAUSTIVE").is_some();
     let stride = if full || A::BITS < 32 { 1 } else { 61 };
     let fine = [0x7fff_ffff, 0x7fff_ff80, 0x7fff_ff00, 0x7fff_fe80];

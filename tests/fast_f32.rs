@@ -1,4 +1,5 @@
-//! Fast f32: the rims of the disc, every promise at hard coordinates, and the same bits however asked.
+//! Fast f32: the rims of the disc, every promise at hard coordinates, and the same bits however
+//! asked.
 //!
 //! By default every 61st point of the rims; all of them, in two minutes of two threads, by
 //!
@@ -14,7 +15,7 @@ use hemidisc::{
 };
 use std::array::from_fn;
 
-/// A prime, so that a strided walk is in step with no power of two.
+/// A prime, so that the stride shares no factor with a power of two.
 fn stride() -> usize {
     if std::env::var_os("HEMIDISC_EXHAUSTIVE").is_some() { 1 } else { 61 }
 }

@@ -66,7 +66,7 @@ fn pictures_are_as_recorded() {
     compare("render.txt", &text);
 }
 
-/// Absent effects leave the picture of a renderer that never had one, bit for bit.
+/// Without effects the picture is that of the renderer without them, bit for bit.
 #[cfg(feature = "micromath")]
 fn absent_effects_leave_no_trace<A: hemidisc::arithmetic::Root>() {
     render::with_bare::<A>(|scene| {

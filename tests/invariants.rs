@@ -161,7 +161,8 @@ fn the_exact_test_is_exact() {
     let above = f64::from(f32::from_bits(std::f32::consts::FRAC_1_SQRT_2.to_bits() + 1));
     assert!(in_unit_disc([below, below]) == (below * below * 2.0 <= 1.0));
     assert!(!in_unit_disc([above, above]));
-    // 1 - 2^-53 and 2^-26: x^2 + y^2 = 1 - 2^-52 + 2^-106 + 2^-52 > 1 by 2^-106, which f64 cannot see.
+    // 1 - 2^-53 and 2^-26: x^2 + y^2 = 1 - 2^-52 + 2^-106 + 2^-52 > 1 by 2^-106, which f64 cannot
+    // see.
     let x = 1.0 - f64::EPSILON / 2.0;
     assert_eq!(x * x + 0.5_f64.powi(52), 1.0);
     assert!(!in_unit_disc([x, 0.5_f64.powi(26)]));

@@ -1,5 +1,5 @@
-//! Points against a slice model: `next`, `next_back`, `nth`, `split_at`, `fill` and the rest, in any
-//! order, give what the same operations on a slice of all points give.
+//! Points against a slice model: `next`, `next_back`, `nth`, `split_at`, `fill` and the rest, in
+//! any order, give what the same operations on a slice of all points give.
 #![cfg(feature = "libm")]
 
 use hemidisc::sequence::{

@@ -1,8 +1,9 @@
-//! Q31: every map against its contract and its promises; the concentric map, whose kernel is the hottest,
-//! over whole rings and, at length, over the square.
+//! Q31: every map against its contract and its promises; the concentric map, whose kernel is the
+//! hottest, over whole rings and, at length, over the square.
 //!
-//! The reference is the textbook's formula in f64 on the exact coordinate: 2^-53 is 2^-22 LSB, and no
-//! formula here loses more than a few hundred of them. At length (about four minutes on two cores):
+//! The reference is the textbook's formula in f64 on the exact coordinate: 2^-53 is 2^-22 LSB, and
+//! no formula here loses more than a few hundred of them. At length (about four minutes on two
+//! cores):
 //!
 //!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --all-features --test q31 -- --nocapture
 #![cfg(feature = "fixed-point")]
@@ -81,7 +82,8 @@ impl Errors {
             position: position / LSB,
             norm: norm.abs() / LSB,
             theta: theta.abs() / LSB,
-            // Between 0 and 1 the density near the horizon hangs on the last bit of z: see tests/accuracy.
+            // Between 0 and 1 the density near the horizon depends on the last bit of z: see
+            // tests/accuracy.
             density: if e == 0.0 || e == 1.0 { density } else { 0.0 },
             density_slope: if e > 1.0 { (density - bound).max(0.0) / e.sqrt() } else { 0.0 },
             inverse: apart / LSB,
@@ -140,7 +142,7 @@ impl MapVisitor<Q31> for Measure<'_> {
     }
 }
 
-/// Coordinates where trouble lives: powers of two, the centre, the edges, each with neighbours.
+/// Hard coordinates: powers of two, the centre, the edges, each with neighbours.
 fn hard_coordinates() -> Vec<u32> {
     let mut hard = vec![0];
     for bit in 0..32 {
@@ -176,8 +178,8 @@ fn points(count: u32) -> Vec<[u32; 2]> {
     points
 }
 
-/// Asserts the contracts of the maps measured from both sides: no error exceeds its bound, none is half of
-/// it or less.
+/// Asserts the contracts of the maps measured from both sides: no error exceeds its bound, none is
+/// half of it or less.
 fn assert_contracts(found: &BTreeMap<(&'static str, String), Errors>) {
     for kind in ["disc", "uniform", "cosine", "power"] {
         let contract = contract("q31", kind).unwrap();
@@ -326,7 +328,8 @@ fn no_point_of_the_outer_rings_is_outside() {
     println!("{walked} points of the outer rings, 0 outside, in {:.0?}", start.elapsed());
 }
 
-/// Position and norm of the concentric map over random pairs, and that its two kernels agree.
+/// Position and norm of the concentric map over random pairs, and that the map stores its `const`
+/// kernel's point.
 #[test]
 fn concentric_over_random_pairs() {
     let start = std::time::Instant::now();
@@ -361,8 +364,7 @@ fn concentric_over_random_pairs() {
     );
 }
 
-/// Any bits are a point or a direction to an inverse and to a density: an answer comes, without a panic, and
-/// nothing has a density below the horizon.
+/// Inverses and densities take any bits without a panic, and the density below the horizon is 0.
 #[test]
 fn inverses_and_densities_are_total() {
     let edges = [i32::MIN, i32::MIN + 1, -1, 0, 1, 2, 1 << 30, i32::MAX - 1, i32::MAX, 0x5a82_7999];

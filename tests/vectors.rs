@@ -1,5 +1,5 @@
-//! Sequences against sources other than this crate: the vectors of scipy in `tests/vectors/`, and the
-//! crate `sobol_burley`, whose constants Owen scrambling uses.
+//! Sequences against sources other than this crate: the vectors of scipy in `tests/vectors/`, and
+//! the crate `sobol_burley`, whose constants Owen scrambling uses.
 
 use hemidisc::{
     Domain,
@@ -62,7 +62,8 @@ fn hammersley_is_the_radical_inverse() {
     }
 }
 
-/// The steps are 2^32 / g and 2^32 / g^2 for g^3 = g + 1, rounded; the second one to an odd integer.
+/// The steps are 2^32 / g and 2^32 / g^2 for g^3 = g + 1, rounded; the second one to an odd
+/// integer.
 #[test]
 fn r2_steps_on_the_plastic_number() {
     let g = (0..100).fold(1.5_f64, |g, _| (g + 1.0).cbrt());
@@ -73,7 +74,7 @@ fn r2_steps_on_the_plastic_number() {
     assert_eq!(R2::new(0).at(1), R2::new(0).at(0).map(|step| step.wrapping_mul(2)));
 }
 
-/// Values worked by hand from DESIGN.md: centres of 2 x 2 and of 3 x 1 cells.
+/// Values worked by hand: centres of 2 x 2 and of 3 x 1 cells.
 #[test]
 fn regular_centres() {
     let quarters = [[1_u32, 1], [3, 1], [1, 3], [3, 3]].map(|point| point.map(|k| k << 30));
@@ -134,8 +135,8 @@ fn keys(seed: u32) -> [u32; 3] {
     words([b, a], 0x6b65_7973)
 }
 
-/// Owen-scrambled Sobol is these parts put together: shuffle the index, take the point, scramble each
-/// axis, with the keys of the seed's domain.
+/// Owen-scrambled Sobol is these parts put together: shuffle the index, take the point, scramble
+/// each axis, with the keys of the seed's domain.
 #[test]
 fn sobol_owen_is_made_of_the_same_parts() {
     for seed in (0..200).chain([1 << 16, 1 << 31, u32::MAX]) {

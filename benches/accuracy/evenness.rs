@@ -1,9 +1,10 @@
-//! What rounding leaves of the evenness of a set.
+//! How rounding changes the evenness of a set.
 //!
-//! The area within a radius, or the probability within a polar angle, is a number t from 0 to 1 that is uniform:
-//! r^2 on the disc, 1 - z for the uniform hemisphere, s^2 for the cosine, 1 - z^(e + 1) for the power lobe; and so is
-//! the angle about the axis. The deviation is the largest difference between the shares of a set that are below any
-//! t, of the points as they are and as they would be exactly (two-sample Kolmogorov-Smirnov).
+//! The area within a radius, or the probability within a polar angle, is a number t from 0 to 1
+//! that is uniform: r^2 on the disc, 1 - z for the uniform hemisphere, s^2 for the cosine,
+//! 1 - z^(e + 1) for the power lobe; and so is the angle about the axis. The deviation is the
+//! largest difference, over all t, between the shares of rounded and of exact points below t
+//! (two-sample Kolmogorov-Smirnov).
 
 use hemidisc::Map;
 use hemidisc::invariant::Exact;
@@ -11,8 +12,8 @@ use hemidisc::sequence::SobolOwen;
 use std::f64::consts::TAU;
 use testkit::errors::Reference;
 
-/// Points of the set. Without its scrambling many points of a net have one radius or one angle, which any rounding
-/// parts.
+/// Points of the set. Without scrambling many points of a net share one radius or angle, which any
+/// rounding separates.
 const COUNT: u32 = 1 << 16;
 
 /// The larger of the two deviations of a map.

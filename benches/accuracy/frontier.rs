@@ -1,4 +1,4 @@
-//! What a machine's costs and errors have to choose from.
+//! The Pareto frontier of a machine's costs and errors.
 
 use crate::measure::Row;
 
@@ -28,7 +28,7 @@ pub fn marks<'a>(rows: &[&'a Row], machine: &str) -> Vec<Mark<'a>> {
     rows.iter().filter_map(mark).collect()
 }
 
-/// Those that no other beats in both, from the cheapest on.
+/// Those that no other beats in both, cheapest first.
 pub fn frontier<'a>(marks: &[Mark<'a>]) -> Vec<Mark<'a>> {
     let mut marks = marks.to_vec();
     marks.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(a.error.total_cmp(&b.error)));

@@ -1,5 +1,5 @@
-//! What accuracy costs: for every map x arithmetic the errors, the evenness that is left of a set, and what a point
-//! costs on this machine and on the boards.
+//! What accuracy costs. For every map x arithmetic: the errors, the evenness of a set, and the cost
+//! of a point on this machine and on the boards.
 //!
 //! ```text
 //! cargo bench --bench accuracy                  writes target/accuracy/{report.json, report.md, pareto.svg}
@@ -7,8 +7,8 @@
 //! cargo bench --bench accuracy -- --bless       and writes docs/accuracy.md and docs/accuracy/pareto.svg
 //! ```
 //!
-//! Instructions, flash and stack are those of `target/firmware/report.json`, which the firmware's runner writes;
-//! without it the boards' columns are empty.
+//! Instructions, flash and stack are those of `target/firmware/report.json`, which the firmware's
+//! runner writes; without it the boards' columns are empty.
 
 mod evenness;
 mod firmware;

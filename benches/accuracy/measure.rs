@@ -1,7 +1,8 @@
 //! The errors of every map x arithmetic.
 //!
-//! Against the textbook's formula in f64 at random and at hard coordinates; `libm-f64`, which that cannot judge,
-//! against mpmath at the hard cases of `testkit/vectors/maps.csv`.
+//! The reference is the textbook's formula in f64, at random and at hard coordinates. It is not
+//! accurate enough for `libm-f64`, whose reference is mpmath at the hard cases of
+//! `testkit/vectors/maps.csv`.
 
 use crate::evenness::deviation;
 use hemidisc::Invert;
@@ -28,7 +29,7 @@ pub struct Error {
     pub rms: f64,
 }
 
-/// What a map in an arithmetic is good to, and what it costs.
+/// The accuracy and the cost of a map in an arithmetic.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
     pub map: &'static str,
@@ -42,7 +43,7 @@ pub struct Row {
     pub norm: Error,
     /// Of the angle from the pole, relative in floats; none on the disc.
     pub theta: Option<Error>,
-    /// Largest difference that rounding makes to the share of a set that is within a radius or a polar angle.
+    /// Largest change by rounding in the share of a set within a radius or a polar angle.
     pub evenness: f64,
     /// Time of a point on this machine, as a ratio to `libm-f32` on the same map.
     pub host: f64,

@@ -1,6 +1,6 @@
 //! Error against cost, both in logarithms: a row of panels for each machine, a column for each map.
 //!
-//! Of the marks of a panel those on the line are not beaten in both error and cost by another: the Pareto frontier.
+//! The line of a panel is the Pareto frontier: no mark beats one on it in both error and cost.
 
 use crate::frontier::{CORES, HOST, Mark, frontier, marks};
 use crate::measure::Row;

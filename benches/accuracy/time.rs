@@ -1,4 +1,5 @@
-//! Time of a point on this machine: every map x arithmetic once in each of many rounds, the smallest of each.
+//! Time of a point on this machine: every map x arithmetic once in each of many rounds, and the
+//! minimum of each.
 
 use crate::measure::Row;
 use hemidisc::sequence::{SobolOwen, Stored};
@@ -11,7 +12,7 @@ use testkit::errors::{EachMap, each_map, each_power_map};
 
 /// Points of a fill: they and their coordinates stay in the first cache.
 const COUNT: usize = 1024;
-/// Coordinates of a round are not those of the rounds before: a processor learns the branches of what it has seen.
+/// Each round has new coordinates, because the branch predictor learns those it has seen.
 const WINDOWS: usize = 16;
 const ROUNDS: usize = 300;
 

@@ -1,14 +1,14 @@
-//! What every family of fills shares: the sizes of buffers, random coordinates, the visitor, and the fill of a
-//! buffer with the points of a sequence.
+//! What every family of fills shares: the sizes of buffers, random coordinates, the visitor, and
+//! the fill of a buffer with the points of a sequence.
 
 use hemidisc::{Map, Points, map::Point, sequence::Sequence};
 use rand_xoshiro::Xoshiro128PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 use std::hint::black_box;
 
-/// Buffers of as many points stay in the caches of a core.
+/// A buffer of this many points stays in the caches of a core.
 pub(crate) const SMALL: usize = 1 << 12;
-/// And of as many in none.
+/// A buffer of this many fits in no cache.
 pub(crate) const LARGE: usize = 1 << 22;
 
 /// The seed of sequences and generators.
@@ -20,8 +20,8 @@ pub(crate) trait Visitor<'a> {
     fn fill<F: FnMut() + 'a>(&mut self, path: &str, make: impl FnOnce() -> F);
 }
 
-/// One fill after another takes the next of as many ranges of points: a processor learns 4096 random coordinates
-/// by heart, and then predicts branches that no renderer's would.
+/// Consecutive fills take consecutive ranges of points. The branch predictor learns 4096 random
+/// coordinates, and would then predict branches that it cannot predict in a renderer.
 pub(crate) const WINDOWS: usize = 16;
 
 /// Random coordinates.
@@ -47,7 +47,8 @@ pub(crate) const fn candidates(points: usize) -> usize {
     points + points / 2
 }
 
-/// Other words for each size of buffer: of the same ones in two buffers, the second would find the branches learned.
+/// Different words for each size of buffer: with the same ones the second buffer would find a
+/// trained branch predictor.
 pub(crate) fn generator(points: usize) -> Xoshiro128PlusPlus {
     Xoshiro128PlusPlus::seed_from_u64(u64::from(SEED) + points as u64)
 }
@@ -67,7 +68,8 @@ pub(crate) fn filler<S: Sequence, M: Map>(sequence: S, map: M, points: usize) ->
     }
 }
 
-/// A function of its own for each set, so that none is compiled into another, and a profile tells them apart.
+/// A function of its own for each set, so that none is inlined into another, and a profile
+/// distinguishes them.
 #[inline(never)]
 fn fill<S: Sequence, M: Map>(points: &Points<S, M>, buffer: &mut [M::Point]) {
     points.fill(buffer);

@@ -1,5 +1,5 @@
-//! Sequence, map and buffer in one fill: every sequence through every map of fast f32, and Sobol through every
-//! map of the other arithmetics.
+//! Sequence, map and buffer in one fill: every sequence through every map of fast f32, and Sobol
+//! through every map of the other arithmetics.
 
 use crate::buffers::{SEED, Visitor};
 use crate::failure::Failure;

@@ -1,6 +1,7 @@
 //! That cost grows linearly: the time of a point at four sizes of buffer, side by side.
 //!
-//! From the caches to memory a point must cost the same, but for what the memory itself takes: `slice::fill` shows it.
+//! A point must cost the same in cache and in memory, apart from memory bandwidth, which
+//! `slice::fill` shows.
 
 use crate::buffers::{Coordinates, LARGE, SMALL};
 use crate::failure::Failure;
@@ -9,7 +10,7 @@ use crate::rounds::{self, Measurement};
 /// Points of a buffer.
 pub(crate) const SIZES: [usize; 4] = [1 << 8, SMALL, 1 << 16, LARGE];
 
-/// Every sequence through one map, one sequence through every map, and what there is without either.
+/// Every sequence through one map, one sequence through every map, and the fills without either.
 fn wanted(path: &str) -> bool {
     match path.split('/').collect::<Vec<_>>()[..] {
         ["fused", sequence, map, disc, "fast-f32"] => {
@@ -20,7 +21,7 @@ fn wanted(path: &str) -> bool {
     }
 }
 
-/// The sizes of one fill, then of the next: the buffers of all together would be gigabytes.
+/// All sizes of one fill, then of the next: the buffers together would take gigabytes.
 pub(crate) fn run(coordinates: &Coordinates, rounds: usize) -> Result<Vec<Measurement>, Failure> {
     let mut measured = Vec::new();
     for path in rounds::paths(coordinates)?.iter().filter(|path| wanted(path)) {

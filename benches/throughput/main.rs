@@ -7,13 +7,14 @@
 //! cargo bench --bench throughput -- FILTER ...         criterion alone, with its own arguments
 //! ```
 //!
-//! The tables are Markdown on standard output: ratios of the shortest times of rounds that interleave all fills, in
-//! one process. With `RUSTFLAGS="-C target-cpu=native"` it is another build, whose figures stand beside the
-//! baseline's. `--test` does everything once, to see that it works.
+//! The tables are Markdown on standard output: ratios of minimum times, in rounds that interleave
+//! all fills in one process. A build with `RUSTFLAGS="-C target-cpu=native"` has its figures beside
+//! the baseline's. `--test` does everything once, to see that it works.
 //!
-//! `fills` says what is timed. `sequences`, `maps`, `fused` and `peers` are its families, and `buffers` is what they
-//! share. The peers' formulas are in `testkit::textbook`. `timings` is criterion's part. `rounds` interleaves; `targets`
-//! and `linear` are rounds of their own. `report` keeps what was measured, and `table` prints it.
+//! `fills` says what is timed. `sequences`, `maps`, `fused` and `peers` are its families, and
+//! `buffers` is what they share. The peers' formulas are in `testkit::textbook`. `timings` is
+//! criterion's part. `rounds` interleaves; `targets` and `linear` are rounds of their own. `report`
+//! keeps what was measured, and `table` prints it.
 
 mod buffers;
 mod failure;
@@ -47,7 +48,7 @@ struct Arguments {
 impl Arguments {
     fn new(given: &[String]) -> Result<Self, String> {
         let has = |name: &str| given.iter().any(|argument| argument == name);
-        // `cargo bench` says so; criterion takes anything else for a test as well.
+        // `cargo bench` passes this; criterion, too, takes anything else for a test.
         let test = has("--test") || !has("--bench");
         let mut others =
             given.iter().filter(|given| !["--bench", "--test"].contains(&given.as_str()));
@@ -71,7 +72,7 @@ fn main() -> ExitCode {
         },
         Err(message) => (2, message),
     };
-    // There is nowhere to say that this could not be written.
+    // There is nowhere to report a failed write.
     let _ = writeln!(io::stderr(), "error: {message}");
     ExitCode::from(status)
 }

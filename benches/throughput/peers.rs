@@ -1,5 +1,5 @@
-//! The peers: `rand_distr`'s disc and sphere on xoshiro128++, `sobol_burley`, the textbooks' formulas on std's and
-//! glibc's f32 functions, and `slice::fill`, the least that a fill can cost.
+//! The peers: `rand_distr`'s disc and sphere on xoshiro128++, `sobol_burley`, the textbooks'
+//! formulas on std's and glibc's f32 functions, and `slice::fill`, the least that a fill can cost.
 
 use crate::buffers::{Coordinates, SEED, Visitor, generator};
 use crate::maps::EXPONENT;
@@ -11,7 +11,8 @@ use testkit::textbook::{
     suffern_power, unit,
 };
 
-/// The functions of std, which are the platform's: what a renderer in C++ or Rust calls; and with `libm`'s power.
+/// The functions of std, which are the platform's, as a renderer in C++ or Rust calls them; and the
+/// same with `libm`'s power.
 struct Std<const LIBM_POWER: bool = false>;
 
 impl<const LIBM_POWER: bool> Functions for Std<LIBM_POWER> {

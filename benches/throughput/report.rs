@@ -22,10 +22,11 @@
 //! }
 //! ```
 //!
-//! `name` is `baseline` for the vectors that the architecture always has, `native` for more; a run replaces what the
-//! file has of its own build, or is merged into it. `family` and `name` of a row make the path of `fills`.
-//! `nanoseconds` are those of a point, in the shortest of all `rounds` of all `runs`. `ratios` say how many times as
-//! fast the fill is as those with the paths in them, at as many points: above 1 it is faster.
+//! `name` is `baseline` for the architecture's guaranteed vectors, `native` for more. A run
+//! replaces its own build in the file, or is merged into it. `family` and `name` of a row make the
+//! path of `fills`. `nanoseconds` is the time of a point, the minimum over all `rounds` of all
+//! `runs`. `ratios` has the speed relative to other fills, by their paths, at as many points: above
+//! 1 it is faster.
 
 use crate::failure::{Failure, failed};
 use crate::peers;

@@ -1,16 +1,17 @@
-//! Rounds: every fill once, in turn, again and again; what counts is the shortest of each.
+//! Rounds: every fill once, in turn, repeatedly. The minimum of each counts.
 //!
-//! A machine that is busy with other work, or that changes its clock, slows the fills that it meets. In rounds it
-//! meets all alike, and the shortest of many is one that it did not meet.
+//! Other load, or a change of the clock rate, slows whichever fill runs at the time. Rounds expose
+//! all fills alike, and the minimum of many is undisturbed.
 
 use crate::buffers::{Coordinates, SMALL, Visitor, WINDOWS};
 use crate::failure::Failure;
 use crate::fills;
 use std::time::Instant;
 
-/// Points between two readings of the clock: so many that the readings do not show, and every window once.
+/// Points between two readings of the clock: enough to hide the cost of reading it, and every
+/// window once.
 const TIMED: usize = SMALL * WINDOWS;
-/// A larger buffer is in memory, and to fill it just before does not bring it nearer.
+/// A larger buffer is in memory, and filling it first does not bring it into the cache.
 const CACHED: usize = 1 << 16;
 
 /// A fill among others.

@@ -1,4 +1,4 @@
-//! The report as Markdown: ratios, for a time is that of one machine.
+//! The report as Markdown: ratios, since absolute times depend on the machine.
 
 use crate::buffers::{LARGE, SMALL};
 use crate::linear::SIZES;

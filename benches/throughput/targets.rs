@@ -1,5 +1,5 @@
-//! What the fast arithmetic must reach: how many times as fast as a peer, on the baseline build and on one for the
-//! machine's own vectors.
+//! Targets of the fast arithmetic: its speed relative to a peer, on the baseline build and on one
+//! for the machine's own vectors.
 
 use crate::buffers::{Coordinates, LARGE};
 use crate::failure::Failure;

@@ -1,4 +1,4 @@
-//! Criterion's timing of each fill, one after another: what a change has done to it since the last run.
+//! Criterion's timing of each fill in turn, compared with the last run.
 
 use crate::buffers::{Coordinates, LARGE, SMALL, Visitor};
 use crate::failure::Failure;
@@ -31,7 +31,7 @@ impl<'a> Visitor<'a> for Timings {
     fn fill<F: FnMut() + 'a>(&mut self, path: &str, make: impl FnOnce() -> F) {
         let mut group = self.criterion.benchmark_group(path);
         group.throughput(Throughput::Elements(self.points as u64));
-        // Criterion calls back for each sample, and not at all for what its filter leaves out.
+        // Criterion calls back for each sample, and never for a fill that its filter excludes.
         let (mut make, mut made) = (Some(make), None);
         group.bench_function(self.points.to_string(), |bencher| {
             if let Some(make) = make.take() {

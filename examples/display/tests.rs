@@ -1,5 +1,5 @@
-//! That what is drawn is where it should be and of the right colour, on panels of any size, and that a target's error
-//! comes through.
+//! That what is drawn is where it should be and of the right colour, on panels of any size, and
+//! that a target's error comes through.
 
 mod discs;
 mod picture;

@@ -1,6 +1,6 @@
 //! The square's grid, drawn through a map: lines and cells as curves on the disc.
 //!
-//! Lines are sampled densely through the map in f64; a panel thins them to what the eye can tell.
+//! Lines are sampled densely through the map in f64; a panel thins them to what the eye can see.
 
 use hemidisc::{Concentric, Coordinates, LibmF64, Map, Polar};
 use plotters::prelude::RGBColor;

@@ -1,4 +1,5 @@
-//! What the table says of a set of points: minimum distance, half-plane discrepancy, uniformity.
+//! The statistics of a set of points in the table: minimum distance, half-plane discrepancy,
+//! uniformity.
 //!
 //! All are functions of f64 points alone, so that the tests below can hold them against values
 //! worked out by hand.

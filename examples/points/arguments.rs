@@ -38,7 +38,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "I", value_parser = u32::from_str, allow_negative_numbers = true)]
     start: Option<u32>,
 
-    /// Seed; regular, hammersley and halton ignore it; 0 is the textbook's sobol and r2 [default: 0]
+    /// Seed; regular, hammersley and halton ignore it; 0 is the textbook's sobol and r2
+    /// [default: 0]
     #[arg(long, value_name = "S", value_parser = u32::from_str, allow_negative_numbers = true)]
     seed: Option<u32>,
 

@@ -11,7 +11,8 @@ use std::ops::RangeInclusive;
 pub(crate) type Consume<'a> =
     &'a mut dyn FnMut(&mut dyn Iterator<Item = [u32; 2]>) -> Result<(), Failure>;
 
-/// Hands the coordinates that the arguments ask for to `consume`, in constant memory for a sequence.
+/// Hands the coordinates that the arguments ask for to `consume`, in constant memory for a
+/// sequence.
 pub(crate) fn coordinates(arguments: &Arguments, consume: Consume) -> Result<(), Failure> {
     if arguments.stdin {
         return consume(&mut read(std::io::stdin().lock())?.into_iter());

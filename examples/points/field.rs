@@ -1,5 +1,5 @@
-//! A component of a point as text: the shortest decimal that reads back exactly, or its raw bits. Fixed
-//! point is its exact decimal value, or a signed decimal count of LSBs.
+//! A component of a point as text: the shortest decimal that reads back exactly, or its raw bits.
+//! Fixed point is its exact decimal value, or a signed decimal count of LSBs.
 
 use std::any::Any;
 use std::io::{self, Write};

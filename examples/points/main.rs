@@ -4,9 +4,10 @@
 //! cargo run --release --example points -- --sequence sobol --count 16 --map disc-concentric
 //! ```
 //!
-//! `arguments` reads the command line and the library's `refusal` says what is wrong with it, `coordinates` makes the
-//! pairs of `u32`, `rows` maps and prints them and `field` is a number as text. Sequences meet maps behind
-//! one `dyn Iterator`, so the program holds sequences + maps x arithmetics loops, not the product of all three.
+//! `arguments` reads the command line and the library's `refusal` says what is wrong with it,
+//! `coordinates` makes the pairs of `u32`, `rows` maps and prints them and `field` is a number as
+//! text. Sequences meet maps behind one `dyn Iterator`, so the program holds
+//! sequences + maps x arithmetics loops, not the product of all three.
 
 mod arguments;
 mod coordinates;

@@ -1,6 +1,7 @@
 //! A renderer of a scene, an arithmetic and the effects called for.
 //!
-//! Every effect doubles the number of types of renderer: each function below settles one and calls the next.
+//! Every effect doubles the number of types of renderer: each function below settles one and calls
+//! the next.
 
 use crate::render::description::{self as scene, Aperture, Scene};
 use crate::render::effects::{Effect, Effects};
@@ -18,7 +19,8 @@ use testkit::tracer::{
     Sky, Unoccluded,
 };
 
-/// Renders a region of a scene with some of its effects, a step after each pass; or says which field is wrong.
+/// Renders a region of a scene with some of its effects, a step after each pass; or says which
+/// field is wrong.
 pub type Render =
     fn(&Scene, Effects, &Settings, &Region, &mut dyn FnMut()) -> Result<frame::Frame, String>;
 

@@ -1,7 +1,8 @@
 //! A scene as its file describes it: lengths in any one unit, y up, colours linear RGB.
 //!
-//! An effect is called for by its field: `lens`, the light's `radius`, the ambient light's `reach`, a reflection's
-//! `exponent`. Without it what is left is a pinhole, a light at a point, plain ambient light, a mirror.
+//! An effect is called for by its field: `lens`, the light's `radius`, the ambient light's `reach`,
+//! a reflection's `exponent`. Without it what is left is a pinhole, a light at a point, plain
+//! ambient light, a mirror.
 
 use crate::render::effects::{Effect, Effects};
 use crate::render::values::{Angle, Colour, Direction, Distance, Exponent, Point, Radius, Size};

@@ -1,7 +1,8 @@
 //! Renders a frame or a region of it, a row at a time on all cores.
 //!
-//! A pass is a few samples of a pixel, taken in order; passes add up to the same bits in any order (`sums`). So the
-//! picture is the same for any number of threads, and for any regions that make up the frame.
+//! A pass is a few samples of a pixel, taken in order; passes add up to the same bits in any order
+//! (`sums`). So the picture is the same for any number of threads, and for any regions that make up
+//! the frame.
 
 use crate::render::sequence::Sequence;
 use crate::render::sums::{MOST_PASSES, Sum};
@@ -11,7 +12,8 @@ use std::ops::Range;
 use std::time::Instant;
 use testkit::tracer::Counts;
 
-/// Samples of a pixel that are summed as floats, and then rounded; the last pass of a frame may have fewer.
+/// Samples of a pixel that are summed as floats, and then rounded; the last pass of a frame may
+/// have fewer.
 const PASS: u32 = 8;
 
 const _: () = assert!((u16::MAX as u32).div_ceil(PASS) <= MOST_PASSES);
@@ -54,9 +56,11 @@ pub struct Frame {
     pub seconds: f64,
 }
 
-/// Adds a range of samples to the sums of the pixels from (x, y) to the right: [`Renderer::row`] of any type.
+/// Adds a range of samples to the sums of the pixels from (x, y) to the right: [`Renderer::row`] of
+/// any type.
 ///
-/// Behind a pointer, so that what runs rows on all cores is compiled once and not for every renderer.
+/// Behind a pointer, so that what runs rows on all cores is compiled once and not for every
+/// renderer.
 ///
 /// [`Renderer::row`]: testkit::tracer::Renderer::row
 pub type Row<'a, R> = dyn Fn([u32; 2], Range<u32>, &mut [[R; 3]]) -> Counts + Sync + 'a;

@@ -1,12 +1,13 @@
-//! Renders a scene with depth of field, soft shadows, ambient occlusion and glossy reflection, or any of them.
+//! Renders a scene with depth of field, soft shadows, ambient occlusion and glossy reflection, or
+//! any of them.
 //!
 //! ```text
 //! cargo run --release --example render -- --scene still-life --spp 64
 //! cargo run --release --example render -- --scene lens --effects none --report json
 //! ```
 //!
-//! `arguments` reads the command line, `report` says what each effect took, and `sheet` makes the pictures of the
-//! README. The rest is the library's `render`, which the example `shard` shares.
+//! `arguments` reads the command line, `report` says what each effect took, and `sheet` makes the
+//! pictures of the README. The rest is the library's `render`, which the example `shard` shares.
 
 mod arguments;
 mod report;

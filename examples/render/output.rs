@@ -1,7 +1,7 @@
-//! A file that is there whole or not at all, and standard output.
+//! A file that is written completely or not at all, and standard output.
 //!
-//! It is written under another name beside its own and renamed at the end, so that whoever reads it while it is
-//! written, or after a crash, finds what was there before. A device or a pipe is written as it comes.
+//! It is written under another name beside its own and renamed at the end, so that a reader during
+//! the write, or after a crash, finds the old file. A device or a pipe is written directly.
 
 use crate::Failure;
 use std::fs::{self, File};

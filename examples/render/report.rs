@@ -1,9 +1,9 @@
 //! What each effect took, as JSON.
 //!
-//! The seconds of an effect are those of the frame less those of a second frame without the effect, at least 0:
-//! rays that an effect sends run the same code as all others, so there is no clock to stop around it. Of an
-//! effect that is not called for they are 0. Its rays are those that its points directed: without a lens, a disc or a
-//! lobe a pinhole, a point light or a mirror sends as many, which count for no effect.
+//! The time of an effect is the frame's less that of a second frame without the effect, at least 0.
+//! An effect's rays run the same code as all others, so they cannot be timed separately. For an
+//! unused effect it is 0. An effect's rays are those that its points directed. The rays of a
+//! pinhole, a point light or a mirror count for no effect.
 
 use examples::Failure;
 use examples::render::effects::{Effect, Effects};

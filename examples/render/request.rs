@@ -19,7 +19,8 @@ pub struct Request {
     #[arg(long, value_name = "NAME")]
     pub scene: String,
 
-    /// Some of lens, light, occlusion, glossy with commas between, or none [default: those of the scene]
+    /// Some of lens, light, occlusion, glossy with commas between, or none
+    /// [default: those of the scene]
     #[arg(long, value_name = "LIST", value_parser = Effects::from_str)]
     pub effects: Option<Effects>,
 

@@ -1,5 +1,5 @@
-//! The contact sheet of the README: scenes without and with the effects they call for, the points drawn for these
-//! and the time that the picture took.
+//! The contact sheet of the README: scenes without and with the effects they call for, the points
+//! drawn for these and the time that the picture took.
 
 use crate::report::tally;
 use clap::{CommandFactory, Parser};

@@ -1,12 +1,12 @@
 //! Sums of radiance in fixed point: the same bits in any order.
 //!
-//! Sums of floats depend on their order, sums of integers do not. So a pass, some samples of a pixel, is summed in the
-//! arithmetic's own numbers, in order and from zero; it is rounded once, to units of 2^-32, and passes are
-//! added as integers, by whatever threads, processes or machines they come from.
+//! Sums of floats depend on their order, sums of integers do not. So a pass, some samples of a
+//! pixel, is summed in the arithmetic's own numbers, in order and from zero; it is rounded once, to
+//! units of 2^-32, and passes are added as integers, from any threads, processes or machines.
 //!
-//! A pass is below 2^18 = 2^50 units in magnitude, and of [`MOST_PASSES`] the sum is below 2^63. One that is not, or is
-//! infinite or not a number, marks the sum for good, in any order again: the mean is then infinite and the pixel
-//! white, as one mean of at least 2^18 / 2^16 = 4 would be.
+//! A pass is below 2^18 = 2^50 units in magnitude, and of [`MOST_PASSES`] the sum is below 2^63.
+//! A larger, infinite or NaN pass marks the sum for good, in any order too. The mean is then
+//! infinite and the pixel white, like a mean of at least 2^18 / 2^16 = 4.
 
 use hemidisc::arithmetic::Real;
 use std::ops::AddAssign;
@@ -29,7 +29,7 @@ impl Sum {
     pub fn of_pass<R: Real>(pass: [R; 3]) -> Self {
         Self(pass.map(|component| {
             let units = (component.into() * UNITS).round();
-            // Not so for what is not a number.
+            // False for NaN.
             if units.abs() < LIMIT { units as i64 } else { BEYOND }
         }))
     }

@@ -1,4 +1,4 @@
-//! What an absent effect costs and changes: nothing. And that pictures do not depend on how they are split.
+//! An absent effect costs and changes nothing, and pictures do not depend on how they are split.
 
 mod closed_forms;
 mod command;
@@ -37,7 +37,8 @@ fn rendered(arithmetic: &str, scene: &Scene, effects: Effects, settings: &Settin
     render(scene, effects, settings, &settings.whole(), &mut || {}).unwrap()
 }
 
-/// The bits of the arithmetic's own sums, which are finer than what a frame keeps of them: -0 is not 0.
+/// The bits of the arithmetic's own sums, which are finer than what a frame keeps of them: -0 is
+/// not 0.
 fn bits(arithmetic: &str, scene: &Scene, effects: Effects) -> Vec<u64> {
     match arithmetic {
         LibmF64::NAME => bits_in::<LibmF64>(scene, effects),

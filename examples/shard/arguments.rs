@@ -9,7 +9,8 @@ use std::num::{NonZeroU8, NonZeroU16};
 use std::path::PathBuf;
 use std::str::FromStr;
 
-/// Computes a set of points or a frame in shards, here or on other machines, and merges them byte-identically
+/// Computes a set of points or a frame in shards, here or on other machines, and merges them
+/// byte-identically
 #[derive(Parser)]
 #[command(name = "shard", version)]
 pub(crate) struct Arguments {
@@ -19,7 +20,8 @@ pub(crate) struct Arguments {
 
 #[derive(Subcommand)]
 pub(crate) enum Command {
-    /// Writes points of a sequence through a map: the bits of one component after another, little-endian
+    /// Writes points of a sequence through a map: the bits of one component after another,
+    /// little-endian
     Points {
         #[command(flatten)]
         set: Set,
@@ -90,7 +92,8 @@ impl Shards {
     }
 }
 
-/// The arguments that every shard's process is started with: those given, but for what differs or is not for it.
+/// The arguments that every shard's process is started with: those given, but for what differs or
+/// is not for it.
 pub(crate) fn in_common(given: &[String]) -> Vec<String> {
     let mut kept = Vec::new();
     // Without the program's name.

@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
-/// The shard of a number, counted from 0, of `of` consecutive ranges of 0..`len` whose lengths differ by at most 1.
+/// The shard of a number, counted from 0, of `of` consecutive ranges of 0..`len` whose lengths
+/// differ by at most 1.
 ///
-/// Those of `Points::shard`. There are empty ones where `of` exceeds `len`; and shard I of K is shards 2I and 2I + 1
-/// of 2K, so that one that took too long may be handed out again in halves.
+/// Those of `Points::shard`. There are empty ones where `of` exceeds `len`; and shard I of K is
+/// shards 2I and 2I + 1 of 2K, so that one that took too long may be handed out again in halves.
 pub fn range(len: u32, shard: u16, of: u16) -> Range<u32> {
     // At most `len`, for shard + 1 <= of.
     let edge = |k: u64| (u64::from(len) * k / u64::from(of)) as u32;
@@ -23,7 +24,8 @@ pub struct Piece {
     pub range: Range<u32>,
 }
 
-/// The order in which pieces make up 0..`len` without a gap or an overlap; or which of them is at fault.
+/// The order in which pieces make up 0..`len` without a gap or an overlap; or which of them is at
+/// fault.
 ///
 /// `unit` is what is counted, in the plural.
 pub fn order(len: u32, unit: &str, pieces: &[Piece]) -> Result<Vec<usize>, String> {

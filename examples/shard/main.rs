@@ -1,4 +1,5 @@
-//! Computes a set of points or a frame in K shards, by threads or as processes, and merges them byte-identically.
+//! Computes a set of points or a frame in K shards, by threads or as processes, and merges them
+//! byte-identically.
 //!
 //! ```text
 //! cargo run --release --example shard -- frame --scene still-life --shards 4 --by processes --out still-life.png
@@ -6,10 +7,11 @@
 //! cargo run --release --example shard -- merge 0.part 1.part 2.part 3.part --out still-life.png
 //! ```
 //!
-//! `arguments` reads the command line. A `job` is what is computed: the `set` of points asked for, which `point_set`
-//! makes and `number` writes, or a `rendering` of the scene asked for. `cover` says which range of it a shard has, and
-//! whether ranges make up the whole. `part` is the file of a shard, `run` computes one or all of them and `merge` puts
-//! them together. What makes a frame is the library's `render`, so that the picture has the bytes of that example's.
+//! `arguments` reads the command line. A `job` is what is computed: the `set` of points asked for,
+//! which `point_set` makes and `number` writes, or a `rendering` of the scene asked for. `cover`
+//! says which range of it a shard has, and whether ranges make up the whole. `part` is the file of
+//! a shard, `run` computes one or all of them and `merge` puts them together. What makes a frame is
+//! the library's `render`, so that the picture has the bytes of that example's.
 
 mod arguments;
 mod job;

@@ -1,4 +1,5 @@
-//! A component of a point as little-endian bytes: a float as its bits, fixed point as an integer of LSBs.
+//! A component of a point as little-endian bytes: a float as its bits, fixed point as an integer of
+//! LSBs.
 
 use std::any::Any;
 
@@ -36,8 +37,8 @@ pub(crate) type Encoding<R> = (&'static str, fn(&R, &mut Vec<u8>));
 
 /// The encoding of an arithmetic's numbers, if they have one.
 ///
-/// The catalogue hands out arithmetics without a bound on their numbers, so the type is looked up in the list of all;
-/// a new type is one line there.
+/// The catalogue hands out arithmetics without a bound on their numbers, so the type is looked up
+/// in the list of all; a new type is one line there.
 pub(crate) fn encoding<R: 'static>() -> Option<Encoding<R>> {
     fn of<N: Number>() -> Encoding<N> {
         (N::NAME, N::put)

@@ -1,7 +1,8 @@
 //! A part: the file of a shard.
 //!
-//! One line of text says what it is: the format, and a RON value with the program, the job, which shard of how many
-//! it is, which range of the job that is, and how many bytes follow. Those are the shard's, little-endian.
+//! One line of text says what it is: the format, and a RON value with the program, the job, which
+//! shard of how many it is, which range of the job that is, and how many bytes follow. Those are
+//! the shard's, little-endian.
 
 use crate::job::{Job, Work};
 use examples::Failure;
@@ -113,7 +114,8 @@ impl Part {
         Piece { name: self.name(), shard, shards, range: self.range() }
     }
 
-    /// Where a part of another job, or of another version of the program, differs first: here, and there.
+    /// Where a part of another job, or of another version of the program, differs first: here, and
+    /// there.
     pub(crate) fn difference(&self, other: &Self) -> Option<[String; 2]> {
         let [own, others] = [self, other].map(|part| {
             // Strings, numbers and enumerations: there is nothing in it that RON has no text for.

@@ -66,7 +66,7 @@ type First = OnceLock<String>;
 
 /// Calls a function for each shard, some at once, until one fails.
 ///
-/// Not on the threads that render: one that waits for rows would begin another shard, and keep both.
+/// Not on the rendering threads: one that waits for rows would begin another shard, and hold both.
 fn each(
     threads: usize,
     of: u16,

@@ -1,28 +1,28 @@
-//! Fast f32: polynomials of its own, no library; no branch, so that a fill becomes vector code.
+//! Fast f32: its own polynomials, no library, and no branches, so that fills are vectorised.
 //!
-//! **Octant.** Both disc maps fold to 0 <= phi <= pi/4, phi = pi/4 t. With q = t^2, x = r - r P(q) and
-//! y = r t - r t R(q), P = 1 - cos phi and R = 1 - sin phi / t: no angle, no sign logic, and since both are
-//! below 0.3 their own roundings count little. The concentric map has r t = n, the minor magnitude,
-//! without the error of the division t = n/m. The octant is put in its place by a swap and two sign bits
-//! alone, so mirror images are equal bit for bit.
+//! **Octant.** Both disc maps fold to 0 <= phi <= pi/4, phi = pi/4 t. With q = t^2, x = r - r P(q)
+//! and y = r t - r t R(q), P = 1 - cos phi and R = 1 - sin phi / t: no angle and no sign logic.
+//! Both are below 0.3, so their own roundings count little. The concentric map has r t = n, the
+//! minor magnitude, without the error of the division t = n/m. Only a swap and two sign bits place
+//! the octant, so mirror images are equal bit for bit.
 //!
-//! **Coordinates.** A magnitude m < 2^31 is (m + 1/2) / 2^31, by a conversion from *signed* integers, which
-//! vector units have and round correctly. 1 - r is as accurate, from 2^31 - 1 - m, and
-//! 1 - r^2 = d (2 - d), d = 1 - r.
+//! **Coordinates.** A magnitude m < 2^31 is (m + 1/2) / 2^31, by a conversion from *signed*
+//! integers, which vector units have and round correctly. 1 - r is as accurate, from 2^31 - 1 - m,
+//! and 1 - r^2 = d (2 - d), d = 1 - r.
 //!
-//! **Inward.** Within 2 eps of the circle both components move one ulp toward zero. The test is four
-//! operations and the step two, on all points alike; a shrink of all points by as much would be as cheap
-//! and cost the accuracy of all of them.
+//! **Inward.** Within 2 eps of the circle both components move one ulp toward zero. The test takes
+//! four operations and the step two, for every point. Shrinking all points by as much would be as
+//! cheap, but all would lose accuracy.
 //!
-//! **Branches.** A small core has no vectors, and a branch costs it less than the swap or the test that the
-//! branch avoids: there both sides of the diagonal have code of their own, and only points near the rim are
-//! tested. The bits are the same.
+//! **Branches.** A small core has no vectors, and a branch costs it less than the swap or test that
+//! it avoids. There both sides of the diagonal have code of their own, and only points near the rim
+//! are tested. The bits are the same.
 //!
-//! **Lobes.** sin theta is the root of r^2 (1 + (1 - r^2)) for the uniform lobe; the power lobe takes one
-//! logarithm and one exponential, from which z and 1 - z both come without cancellation.
+//! **Lobes.** sin theta is the root of r^2 (1 + (1 - r^2)) for the uniform lobe; the power lobe
+//! takes one logarithm and one exponential, from which z and 1 - z both come without cancellation.
 //!
-//! There is no fused multiply-add and no sum in another order: the bits are the same on SSE2, AVX-512,
-//! Arm and RISC-V. Everything up to the exponent is `const`.
+//! There is no fused multiply-add and no reordered sum: the bits are the same on SSE2, AVX-512, Arm
+//! and RISC-V. Everything up to the exponent is `const`.
 
 mod block;
 mod disc;
@@ -39,10 +39,10 @@ use disc::FastDisc;
 use functions::Functions;
 use power::FastExponent;
 
-/// `f32` with polynomials of its own: the fastest on a core with an FPU, in vectors above all.
+/// `f32` with its own polynomials: the fastest on a core with an FPU, above all in vectors.
 ///
-/// Always there: it needs no feature. The bytes are the same on every target and never change within a
-/// major version of this crate. Its errors are a little above those of `libm` on f32:
+/// Always available: it needs no feature. The bytes are the same on every target and never change
+/// within a major version of this crate. Its errors are a little above those of `libm` on f32:
 /// docs/accuracy.md has the bounds.
 ///
 /// ```

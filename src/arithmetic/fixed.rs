@@ -1,8 +1,9 @@
 //! Fixed point: the numbers of Q15 and Q31, and their exponents.
 //!
-//! A number is an integer count of LSBs of 2^-15 or 2^-31: the layout of I1F15 and I1F31 of the crate
-//! `fixed`, so bits pass between the two as they are. The range is [-1, 1 - LSB]; 1 is not in it, so what
-//! would round to 1 becomes 1 - LSB. The maps give no -1 either: every point has its mirror image.
+//! A number is an integer count of LSBs of 2^-15 or 2^-31: the layout of I1F15 and I1F31 of the
+//! crate `fixed`, so bits pass between the two as they are. The range is [-1, 1 - LSB]; 1 is not in
+//! it, so what would round to 1 becomes 1 - LSB. The maps never give -1 either, so every point has
+//! its mirror image.
 
 pub(super) mod root;
 pub(super) mod rotation;
@@ -27,7 +28,7 @@ macro_rules! number {
             pub const ZERO: Self = Self(0);
             /// The smallest step.
             pub const LSB: Self = Self(1);
-            /// The largest number, 1 - LSB: what stands for 1.
+            /// The largest number, 1 - LSB, which stands for 1.
             pub const MAX: Self = Self($bits::MAX);
 
             /// The number of a count of LSBs.
@@ -60,21 +61,21 @@ macro_rules! number {
         impl core::ops::Neg for $number {
             type Output = Self;
 
-            /// The mirror image; of -1, which no map gives, it is 1 - LSB.
+            /// The mirror image. That of -1, which no map gives, is 1 - LSB.
             #[inline]
             fn neg(self) -> Self {
                 Self(self.0.saturating_neg())
             }
         }
 
-        /// The exact decimal value, or to the places asked for.
+        /// The exact decimal value, or rounded to the requested places.
         impl fmt::Display for $number {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 if f.precision().is_some() {
                     return fmt::Display::fmt(&self.to_f64(), f);
                 }
-                // An odd count of 2^-n has n decimal places; the shortest decimal that reads back as
-                // the same f64 would have fewer.
+                // An odd count of 2^-n has n decimal places; the shortest decimal that reads back
+                // as the same f64 would have fewer.
                 let places = ($bits::BITS - 1).saturating_sub(self.0.trailing_zeros());
                 let width = f.width().unwrap_or(0);
                 write!(f, "{:width$.*}", places as usize, self.to_f64())
@@ -84,11 +85,13 @@ macro_rules! number {
 }
 
 number! {
-    /// Fixed point of 16 bits, and the arithmetic on it: a sign and 15 bits of fraction, as `fixed`'s I1F15.
+    /// Fixed point of 16 bits, and the arithmetic on it: a sign and 15 bits of fraction, as
+    /// `fixed`'s I1F15.
     Q15, i16, 32_768.0
 }
 number! {
-    /// Fixed point of 32 bits, and the arithmetic on it: a sign and 31 bits of fraction, as `fixed`'s I1F31.
+    /// Fixed point of 32 bits, and the arithmetic on it: a sign and 31 bits of fraction, as
+    /// `fixed`'s I1F31.
     Q31, i32, 2_147_483_648.0
 }
 

@@ -1,26 +1,27 @@
 //! The kernels of every map on floats, for any library of elementary functions.
 //!
-//! **Coordinates.** 2u - 1 of a cell k is (2j + 1) / 2^32 with the signed j = k - 2^31. Its magnitude is
-//! (2m + 1) / 2^32 with m = j ^ (j >> 31), one correctly rounded conversion, so mirror images are equal
-//! bit for bit. r^2 = (2m + 1)^2 / 2^64 and 1 - r^2 are exact integers of 64 bits, so each is correctly
-//! rounded too: nothing cancels at the rim.
+//! **Coordinates.** 2u - 1 of a cell k is (2j + 1) / 2^32 with the signed j = k - 2^31. Its
+//! magnitude is (2m + 1) / 2^32 with m = j ^ (j >> 31), one correctly rounded conversion, so mirror
+//! images are equal bit for bit. r^2 = (2m + 1)^2 / 2^64 and 1 - r^2 are exact integers of 64 bits,
+//! so each is correctly rounded too: nothing cancels at the rim.
 //!
 //! **Concentric** (P. Shirley and K. Chiu, "A Low Distortion Map between Disk and Square", 1997).
 //! With the larger magnitude r and the smaller n, phi = pi/4 n/r is in [0, pi/4]; x = r cos phi,
-//! y = r sin phi, swapped where |v| is the larger. No pi/2 - phi, so nothing cancels near the diagonals.
+//! y = r sin phi, swapped where |v| is the larger. No pi/2 - phi, so nothing cancels near the
+//! diagonals.
 //!
 //! **Polar.** 2 pi u is folded to an octant on the integer: the angle within it is exact.
 //!
-//! **Lobes** take the direction (cos phi, sin phi) and form sin theta from r^2 and 1 - r^2: two roundings
-//! fewer than scaling x and y.
+//! **Lobes** take the direction (cos phi, sin phi) and form sin theta from r^2 and 1 - r^2: two
+//! roundings fewer than scaling x and y.
 //!
-//! **Inward.** Rounding leaves about half of the rim outside the disc. Only those points move, by one
-//! ulp of their larger component; shrinking all of them would cost accuracy everywhere.
+//! **Inward.** Rounding leaves about half of the rim outside the disc. Only those points move, by
+//! one ulp of their larger component; shrinking all of them would cost accuracy everywhere.
 //!
-//! **Power.** With L = ln(1 - r^2), z = exp(L / (e + 1)). sqrt(1 - z^2) loses every digit of sin theta
-//! by e = 1e8, so with q = -2 L / (e + 1), sin theta = sqrt(-expm1(-q)); where q nears the end of the
-//! type's range (e near 3e38) it is sqrt(2 / (e + 1)) sqrt(-L), whose factors do not underflow. L comes
-//! from r^2 where r^2 < 1/2, else from 1 - r^2.
+//! **Power.** With L = ln(1 - r^2), z = exp(L / (e + 1)). sqrt(1 - z^2) loses every digit of sin
+//! theta by e = 1e8, so with q = -2 L / (e + 1), sin theta = sqrt(-expm1(-q)); where q nears the
+//! end of the type's range (e near 3e38) it is sqrt(2 / (e + 1)) sqrt(-L), whose factors do not
+//! underflow. L comes from r^2 where r^2 < 1/2, else from 1 - r^2.
 
 mod disc;
 mod disc_point;
@@ -41,12 +42,12 @@ use inverse::Lowered;
 
 impl<T: Float> Sealed for T {}
 
-/// An arithmetic of `f32` or `f64` that takes square roots: what distances and unit vectors need.
+/// An arithmetic of `f32` or `f64` with a square root, which distances and unit vectors need.
 pub trait Root: Arithmetic<Real: Real> {
     /// Square root of x in [0, MAX].
     ///
-    /// For normal numbers and 0 it is within 2^-52 in `f64` and 2.5e-7 in `f32`, relative. A
-    /// subnormal number's may be 1 % off. Of other x it is unspecified.
+    /// For normal numbers and 0 it is within 2^-52 in `f64` and 2.5e-7 in `f32`, relative. For a
+    /// subnormal number it may be 1 % off. For other x it is unspecified.
     fn sqrt(x: Self::Real) -> Self::Real;
 
     /// A point of the disc in the parts that a lobe lifts.

@@ -1,9 +1,9 @@
 //! micromath f32: sine and cosine by a parabola, three digits, a few instructions with an FPU.
 //!
-//! The crate `micromath` gives the sine and the cosine (within 1.1e-3 and 7.7e-4 on [0, pi/4], the length of
-//! the two within 1.0e-3 of 1) and the seeds of the square root and of the arc tangent. The rest of it
-//! would break the maps. Largest errors of its functions over the ranges that [`Float`] names, and of
-//! these, by the tests below (micromath 2.1.0):
+//! The crate `micromath` gives the sine and the cosine (within 1.1e-3 and 7.7e-4 on [0, pi/4], the
+//! length of the two within 1.0e-3 of 1) and the seeds of the square root and of the arc tangent.
+//! The rest of it would break the maps. Largest errors of its functions over the ranges that
+//! [`Float`] names, and of these, by the tests below (micromath 2.1.0):
 //!
 //! | function | micromath's | here |
 //! | --- | --- | --- |
@@ -14,8 +14,8 @@
 //! | exp(x) - 1 | no digit near 0 | 8e-6 relative |
 //! | atan | 2.9e-3; tan of it, by the same sine and cosine, 4e-3 | tan of it 2.5e-5 |
 //!
-//! and of the maps that they give, over the points of `tests/accuracy`, e in [0, 1e8] (with sqrt(-0) made 0:
-//! as it is, the power lobe has no end):
+//! and of the maps that they give, over the points of `tests/accuracy`, e in [0, 1e8] (with
+//! sqrt(-0) made 0: as it is, the power lobe has no end):
 //!
 //! | map | position | norm | theta, relative | z, relative | density, relative | inverse |
 //! | --- | --- | --- | --- | --- | --- | --- |
@@ -28,26 +28,28 @@
 //! | power, raw | 0.14 | 3.2e-2 | 300 | 0.11 | 3.2 | 0.26 |
 //! | power, here | 1.1e-3 | 1.0e-3 | 1.0e-3 | 1.3e-5 | 6.2e-2 | 1.9e-3 |
 //!
-//! The density of a lobe falls with the square of theta, so at the rim it multiplies the error of theta by
-//! 2 |ln(1 - r^2)| and a little more: 6.2 % is that of a point where the density is 2e-10 of its peak.
+//! The density of a lobe falls with the square of theta, so at the rim it multiplies the error of
+//! theta by a little more than 2 |ln(1 - r^2)|. The 6.2 % are at a point where the density is 2e-10
+//! of its peak.
 //!
-//! **sqrt**: the seed is 0 to 6.1 % too large; times 0.9705 it is within 3 %, and two of Heron's steps
-//! (e -> e^2 / 2) leave a rounding or two. **ln**: with s = (m - 1) / (m + 1), ln m = 2 artanh s =
-//! 2 (s + s^3 / 3 + s^5 / 5 + s^7 / 7), which keeps its digits at s = 0; for m in [1/2, sqrt 2] the rest is
-//! below 2 s^9 / 9. **exp**: e^x = 2^k e^f with |f| <= ln(2) / 2, and e^f - 1 by its series to f^5. **atan**: one
-//! of Newton's steps from the seed, a + tan(b - a) = a + (t cos a - sin a) / (cos a + t sin a), with the same
-//! sine and cosine, so that it inverts those and not the true ones.
+//! **sqrt**: the seed is 0 to 6.1 % too large; times 0.9705 it is within 3 %, and two of Heron's
+//! steps (e -> e^2 / 2) leave a rounding or two. **ln**: with s = (m - 1) / (m + 1), ln m = 2
+//! artanh s = 2 (s + s^3 / 3 + s^5 / 5 + s^7 / 7), which keeps its digits at s = 0; for m in [1/2,
+//! sqrt 2] the rest is below 2 s^9 / 9. **exp**: e^x = 2^k e^f with |f| <= ln(2) / 2, and e^f - 1
+//! by its series to f^5. **atan**: one of Newton's steps from the seed, a + tan(b - a) = a + (t cos
+//! a - sin a) / (cos a + t sin a), with the same sine and cosine, so that it inverts those and not
+//! the exact ones.
 
 use super::Float;
 use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
 use micromath::F32;
 
-/// `f32` with the sine and the cosine of the crate `micromath`: small, quick on a core with an FPU, and good
-/// to three digits.
+/// `f32` with the sine and the cosine of the crate `micromath`: small, quick on a core with an FPU,
+/// and good to three digits.
 ///
-/// For firmware that has `micromath` already and draws lenses, not measurements. Where the coarse functions
-/// would break a map (square root, logarithm, exponential) it has its own; no `libm`. The same bits on every
-/// target for one version of `micromath`.
+/// For firmware that has `micromath` already and draws lenses, not measurements. Where the coarse
+/// functions would break a map (square root, logarithm, exponential) it has its own; no `libm`. The
+/// same bits on every target for one version of `micromath`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MicromathF32;
 

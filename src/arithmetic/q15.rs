@@ -1,14 +1,15 @@
 //! Q15: points of 16-bit integers.
 //!
-//! Two arithmetics share the number: [`Q15`] reads the concentric map from a table of lines, without a
-//! division; [`Q15Div`] divides and takes two short polynomials, without that kilobyte. Their concentric
-//! points differ in the last bits; all else is the same.
+//! Two arithmetics share the number: [`Q15`] reads the concentric map from a table of lines,
+//! without a division. [`Q15Div`] divides and evaluates two short polynomials, without the table's
+//! kilobyte. Their concentric points differ in the last bits; all else is the same.
 //!
-//! A sample reads the top 16 bits of a coordinate and takes 16 x 16 bit products alone. Densities and
-//! inverses, which are not for the inner loop, are those of Q31 on the widened point.
+//! A sample reads the top 16 bits of a coordinate and takes 16 x 16 bit products alone. Densities
+//! and inverses, which are not for the inner loop, are those of Q31 on the widened point.
 //!
-//! The lobes narrow as the exponent grows, and at e = 1e8 a direction is (x, y, 1 - LSB) with x and y of
-//! at most 16 LSB: right to 0.51 of one, but with few directions to tell apart, and theta no better.
+//! The lobes narrow as the exponent grows, and at e = 1e8 a direction is (x, y, 1 - LSB) with x and
+//! y of at most 16 LSB: accurate to 0.51 LSB, but with few distinct directions, and theta no
+//! better.
 
 pub(super) mod disc;
 pub(super) mod lobes;
@@ -21,7 +22,8 @@ use super::fixed::Q31;
 use super::q31::{Lowered, Q31Exponent};
 
 impl Q15 {
-    /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at compile time.
+    /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at
+    /// compile time.
     ///
     /// ```
     /// use hemidisc::{Concentric, Map, Q15};

@@ -1,15 +1,15 @@
 //! Q31: the kernels of every map in integers, from the coordinate to the result.
 //!
-//! **Lengths** on the way are magnitudes in units of 2^-32, half an LSB, and signs beside them; r^2 and
-//! 1 - r^2 are exact in units of 2^-64. A magnitude is cut to LSBs once, toward zero, and its sign put back,
-//! so mirror images are equal bit for bit.
+//! **Lengths** on the way are magnitudes in units of 2^-32, half an LSB, and signs beside them; r^2
+//! and 1 - r^2 are exact in units of 2^-64. A magnitude is cut to LSBs once, toward zero, and its
+//! sign put back, so mirror images are equal bit for bit.
 //!
-//! **Inward.** The rotation shortens by more than its roundings can add, so every point is on the disc
-//! without a test; that costs about an LSB of radius.
+//! **Inward.** The rotation shortens by more than its roundings can add, so every point is on the
+//! disc without a test; that costs about an LSB of radius.
 //!
-//! **Lobes** scale x and y by s/r: sqrt(1 + (1 - r^2)) for the uniform lobe, 1 for the cosine. For the power
-//! lobe, with L = -ln(1 - r^2) and l = L / (e + 1), z = exp(-l), s^2 = 1 - exp(-2 l) formed without
-//! cancellation, and s^2 / r^2 is a quotient of normalised numbers.
+//! **Lobes** scale x and y by s/r: sqrt(1 + (1 - r^2)) for the uniform lobe, 1 for the cosine. For
+//! the power lobe, with L = -ln(1 - r^2) and l = L / (e + 1), z = exp(-l), s^2 = 1 - exp(-2 l)
+//! formed without cancellation, and s^2 / r^2 is a quotient of normalised numbers.
 //!
 //! **Densities** are relative to the lobe's peak, which is 1 - LSB.
 
@@ -32,7 +32,8 @@ use disc::{Q31Disc, nearest, signed};
 use inverse::{above, length_squared};
 
 impl Q31 {
-    /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at compile time.
+    /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at
+    /// compile time.
     ///
     /// ```
     /// use hemidisc::{Concentric, Map, Q31};
@@ -101,7 +102,7 @@ impl Arithmetic for Q31 {
     fn uniform(disc: Q31Disc) -> [Self; 3] {
         // sqrt(1 + (1 - r^2)) / 2, so that a product with it is in LSBs.
         let half = root((1 << 62) + (disc.one_minus_r2 >> 2));
-        // Toward zero, for no point may leave the hemisphere.
+        // Toward zero, because no point may leave the hemisphere.
         let scaled = |x: u32| high(x, half);
         let [x_positive, y_positive] = disc.positive;
         let (x, y) = (signed(scaled(disc.x), x_positive), signed(scaled(disc.y), y_positive));

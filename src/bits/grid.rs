@@ -38,8 +38,8 @@ impl Grid {
 
     /// Column and row of a point inside the set: row by row.
     ///
-    /// The reciprocal is smaller than 2^32 / m by at most 1, so its product with an index is smaller than
-    /// index / m by less than 1, and the row at most one too small.
+    /// The reciprocal is smaller than 2^32 / m by at most 1, so its product with an index is
+    /// smaller than index / m by less than 1, and the row at most one too small.
     #[inline(always)]
     pub(crate) const fn cell(self, index: u32) -> [u32; 2] {
         let row = high(index, self.reciprocal);

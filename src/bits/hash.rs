@@ -34,14 +34,14 @@ pub const fn words(state: [u32; 2], purpose: u32) -> [u32; 3] {
 
 /// The shifts of both axes for a seed: 0 for seed 0, else a hash and a hash of the hash.
 ///
-/// The rotation is one for which no seed but 0 shifts both axes alike: tests/promises tries all.
+/// With this rotation no seed but 0 shifts both axes alike: tests/promises tries all.
 #[inline]
 pub(crate) const fn shift(seed: u32) -> [u32; 2] {
     let first = mix(seed);
     [first, mix(first.rotate_left(13))]
 }
 
-/// What keeps the hashes of keys and of pairs apart: any two words will do.
+/// Separates the hashes of keys from those of pairs: any two words will do.
 const KEYS: u32 = 0x6865_6d69;
 const PAIRS: u32 = 0x6469_7363;
 
@@ -76,8 +76,8 @@ impl Pairs {
     }
 }
 
-/// A counter hash from an index to a pair of independent uniform fractions of 16 bits: to jitter a point within
-/// its cell.
+/// A counter hash from an index to a pair of independent uniform fractions of 16 bits: to jitter a
+/// point within its cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Jitter {
     key: u32,

@@ -17,8 +17,8 @@ pub(crate) const fn repeat(index: u32, size: u32) -> u32 {
     }
 }
 
-/// `index` modulo `size` by doubling and subtracting. A core that does not divide would link 800
-/// bytes of a routine that is seldom called.
+/// `index` modulo `size` by doubling and subtracting. A core without a divider would link 800 bytes
+/// of a routine that is seldom called.
 #[cold]
 #[inline(never)]
 const fn remainder(index: u32, size: u32) -> u32 {

@@ -1,7 +1,7 @@
 //! Owen scrambling of base-2 digits by a hash (nested uniform scrambling).
 //!
-//! In the reversed-bit domain a bit may depend only on the bits below it, which additions and
-//! multiplications do by nature: a Laine-Karras hash (S. Laine and T. Karras, "Stratified Sampling
+//! In the reversed-bit domain a bit may depend only on the bits below it, which is true of
+//! additions and multiplications: a Laine-Karras hash (S. Laine and T. Karras, "Stratified Sampling
 //! for Stochastic Transparency", 2011; B. Burley, "Practical Hash-based Owen Scrambling", JCGT
 //! 9(4), 2020) with the constants of N. Vegdahl's 2021 search, as in the crate `sobol_burley`.
 //! `seed` must be well mixed already: consecutive integers will not do.
@@ -27,12 +27,12 @@ pub const fn scramble(x: u32, seed: u32) -> u32 {
     scramble_reversed(x.reverse_bits(), seed).reverse_bits()
 }
 
-/// The six low bits of what [`scramble`] makes of 64 numbers, the first a multiple of 64; the others they have in
-/// common.
+/// The six low bits of [`scramble`]'s results for 64 consecutive numbers, the first a multiple
+/// of 64. They share all other bits.
 ///
-/// Reversed, the six are the highest, and the lower 26 do not depend on them: these are scrambled once, with what each
-/// step carries into the six. Modulo 64 a step takes 16 bits, of which the smallest vector has eight and a product is
-/// one operation.
+/// Reversed, the six are the highest bits, and the lower 26 do not depend on them. Those are
+/// scrambled once, with what each step carries into the six. Modulo 64 a step takes 16 bits: the
+/// smallest vector holds eight such lanes, and a product is one operation.
 #[inline(always)]
 pub(crate) fn scramble_low(first: u32, seed: u32) -> Lanes<u16> {
     const LOWER: u32 = (1 << 26) - 1;
@@ -64,8 +64,8 @@ pub(crate) fn scramble_low(first: u32, seed: u32) -> Lanes<u16> {
     places
 }
 
-/// `scramble_reversed(x ^ low, seed).reverse_bits()` of each `low`, by halves: twice as many numbers to a vector, and
-/// reversed bits need no exchange of the halves.
+/// `scramble_reversed(x ^ low, seed).reverse_bits()` of each `low`, by halves: twice as many
+/// numbers to a vector, and reversed bits need no exchange of the halves.
 #[inline(always)]
 pub(crate) fn scramble_siblings(x: u32, low: &Lanes<u16>, seed: u32, out: &mut Block) {
     let x = Halves::new(x);

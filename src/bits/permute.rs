@@ -1,11 +1,11 @@
 //! Random access into a pseudo-random permutation of 0..len, for any length.
 //!
 //! **Lengths above 8**: swap-or-not (V. T. Hoang, B. Morris and P. Rogaway, "An Enciphering Scheme
-//! Based on a Card Shuffle", CRYPTO 2012). Each round pairs x with k - x (mod len) for a round key k,
-//! and a hash of the pair decides whether the two swap. Every round is an involution, so the whole is
-//! a bijection for every length and key. Against the usual cycle-walking hash (A. Kensler,
-//! "Correlated Multi-Jittered Sampling", Pixar TM 13-01, 2013) the cost is a constant, and nothing
-//! wraps at a length near 2^32.
+//! Based on a Card Shuffle", CRYPTO 2012). Each round pairs x with k - x (mod len) for a round key
+//! k, and a hash of the pair decides whether the two swap. Every round is an involution, so the
+//! whole is a bijection for every length and key. Unlike the usual cycle-walking hash (A. Kensler,
+//! "Correlated Multi-Jittered Sampling", Pixar TM 13-01, 2013), its cost is constant, and nothing
+//! overflows at a length near 2^32.
 //!
 //! **Lengths up to 8**: swap-or-not needs 13 rounds to reach all permutations of 8 evenly, so the
 //! whole list is shuffled in the nibbles of one word (Fisher and Yates; R. Durstenfeld, "Algorithm
@@ -15,9 +15,9 @@ use super::{hash::mix, wide::high};
 use crate::block::Block;
 use crate::target::{HALVES, WIDE_WORDS};
 
-/// Rounds of swap-or-not. A chi-square test of places, or of pairs of places, can tell 10 from random
-/// (tests/promises/permutation.rs); and a round leaves an element where it is with probability 1/2,
-/// so log2(len) + 4 leave one element in 16 sets more in its place than chance does.
+/// Rounds of swap-or-not. A chi-square test of places, or of pairs of places, can tell 10 rounds
+/// from random (tests/promises/permutation.rs). A round leaves an element in place with probability
+/// 1/2, so log2(len) + 4 rounds leave one more element in 16 sets in place than chance does.
 const fn rounds(len: u32) -> u32 {
     let mut rounds = 12;
     if HALVES {
@@ -36,8 +36,8 @@ const SHORT: u32 = 8;
 
 /// The place of `index` in the permutation of 0..`len` that `seed` selects.
 ///
-/// Takes 12 rounds of four multiplications each (log2(len) + 4 above 256), or two hashes and up to 7
-/// swaps for `len` <= 8. An `index` that is not below `len` is returned as it is.
+/// Takes 12 rounds of four multiplications each (log2(len) + 4 above 256), or two hashes and up to
+/// 7 swaps for `len` <= 8. An `index` that is not below `len` is returned as it is.
 ///
 /// ```
 /// use hemidisc::bits::permute::permute;
@@ -69,9 +69,9 @@ const fn swapped_or_not(index: u32, len: u32, seed: u32) -> u32 {
     x
 }
 
-/// Rounds take a word each from a linear congruential generator of full period (the multiplier: G. Steele
-/// and S. Vigna, "Computationally Easy, Spectrally Good Multipliers", 2022): no word comes twice, or a round
-/// would undo another. Neighbouring seeds begin far apart.
+/// Each round takes a word from a linear congruential generator of full period (the multiplier: G.
+/// Steele and S. Vigna, "Computationally Easy, Spectrally Good Multipliers", 2022): no word comes
+/// twice, or a round would undo another. Neighbouring seeds begin far apart.
 #[inline(always)]
 const fn first_word(seed: u32) -> u32 {
     mix(seed ^ 0x9e37_79b9)
@@ -82,7 +82,7 @@ const fn next_word(word: u32) -> u32 {
     word.wrapping_mul(0x915f_77f5).wrapping_add(0x9e37_79b9)
 }
 
-/// What a round may swap `x` with, and bits of which the highest says that it does.
+/// The partner that a round may swap `x` with, and bits of which the highest decides the swap.
 #[inline(always)]
 const fn pair(x: u32, len: u32, key: u32, word: u32) -> (u32, u32) {
     let partner = if key >= x { key - x } else { len - (x - key) };
@@ -90,8 +90,8 @@ const fn pair(x: u32, len: u32, key: u32, word: u32) -> (u32, u32) {
     (partner, hash(upper ^ word))
 }
 
-/// [`permute`] of a block of places, all of them below `len`, by one seed: round after round over all, which are
-/// vectors then.
+/// [`permute`] of a block of places, all of them below `len`, by one seed. Each round runs over the
+/// whole block, in vectors.
 #[inline(always)]
 pub(crate) fn permute_block(places: &mut Block, len: u32, seed: u32) {
     if len <= SHORT {
@@ -145,8 +145,8 @@ const fn below(len: u32, bits: u32) -> u32 {
 
 /// Of two numbers the second where the highest bit of `bits` is set.
 ///
-/// A wide core guesses at a branch, and is wrong every other time; its compilers make one of whatever they see to
-/// be a choice, which a look-up is not.
+/// A wide core would mispredict a branch every other time. Compilers turn any visible choice into a
+/// branch, but not a look-up.
 #[inline(always)]
 const fn either(first: u32, second: u32, bits: u32) -> u32 {
     if WIDE_WORDS {
@@ -159,7 +159,7 @@ const fn either(first: u32, second: u32, bits: u32) -> u32 {
     }
 }
 
-/// A hash whose highest bit depends on all of `x`: after two multiplications there is no need for more.
+/// A hash whose highest bit depends on all of `x`, for which two multiplications suffice.
 #[inline(always)]
 const fn hash(x: u32) -> u32 {
     let x = x.wrapping_mul(0x21f0_aaad);

@@ -1,7 +1,7 @@
 //! An index with its bits reversed, counted on: the radical inverse in base 2.
 //!
-//! A core without an instruction for it takes some 20 to reverse bits; to count, a carry from the highest bit
-//! down passes two bits on average.
+//! A core that cannot reverse bits in one instruction takes some 20. Counting on with a carry from
+//! the highest bit down changes two bits on average.
 
 use crate::target::REVERSES_BITS;
 

@@ -1,12 +1,12 @@
 //! Exact strata of an axis: the unit interval cut into any number of equal parts.
 //!
 //! Stratum c of n holds the cells k with floor(k n / 2^32) = c, that is from ceil(c 2^32 / n) up to
-//! the next edge. Rounding edges down instead would put a point into the stratum below whenever n is
-//! not a power of two.
+//! the next edge. Rounding edges down instead would put a point into the stratum below whenever n
+//! is not a power of two.
 //!
-//! With 2^32 / n = w + r / n and f = floor(2^32 r / n), an edge is c w + ceil(c r / n), and for n <= 2^16 the
-//! latter is ceil(c f / 2^32): c f / 2^32 is smaller than c r / n by less than c / 2^32 < 1 / n, and c r / n is
-//! an integer or at least 1 / n above one.
+//! With 2^32 / n = w + r / n and f = floor(2^32 r / n), an edge is c w + ceil(c r / n), and for
+//! n <= 2^16 the latter is ceil(c f / 2^32): c f / 2^32 is smaller than c r / n by less than
+//! c / 2^32 < 1 / n, and c r / n is an integer or at least 1 / n above one.
 
 use crate::target::HALVES;
 
@@ -24,7 +24,7 @@ pub(crate) struct Strata {
 }
 
 impl Strata {
-    /// The largest count for which `fraction` tells the edges by itself.
+    /// The largest count for which `fraction` alone gives the edges.
     const SHORT: u32 = 1 << 16;
 
     /// `count` is at least 1: the constructors of sets have checked it.
@@ -54,8 +54,8 @@ impl Strata {
         stratum.wrapping_mul(self.whole).wrapping_add(up)
     }
 
-    /// ceil(c rest / count) for any count: the quotient from the reciprocal is at most one too small, which its
-    /// remainder shows.
+    /// ceil(c rest / count) for any count: the quotient from the reciprocal is at most one too
+    /// small, which its remainder shows.
     // Apart: few sets are as large, and the call costs the others nothing.
     #[inline(never)]
     const fn up_long(self, stratum: u32) -> u32 {
@@ -66,8 +66,8 @@ impl Strata {
 
     /// The first cell of the stratum after the one that begins at `first`, if there is one.
     ///
-    /// first count is c 2^32 + s with a slack s < count; `whole` more cells take `rest` from the slack, and
-    /// where that is too much it takes one cell more.
+    /// first count is c 2^32 + s with a slack s < count; `whole` more cells take `rest` from the
+    /// slack, and where that is too much it takes one cell more.
     #[inline(always)]
     pub(crate) const fn after(self, first: u32) -> u32 {
         let slack = first.wrapping_mul(self.count);
@@ -135,7 +135,7 @@ mod tests {
         }
     }
 
-    /// The counts of the short form whose fractions are the closest call: all their edges.
+    /// All edges of the short form's counts whose fractions are closest to failing.
     #[test]
     fn the_longest_short_form_is_exact() {
         for count in (65_500..=Strata::SHORT).chain([46_341, 32_768, 32_769, 54_321]) {

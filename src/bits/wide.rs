@@ -1,8 +1,9 @@
 //! The product of two `u32`, and its upper half.
 //!
-//! A core without a 32 x 32 -> 64 multiplier (Armv6-M) calls a 64 x 64 routine for the product of two
-//! `u32`; four products of halves are a third of its cost. A factor from a table comes in halves: the
-//! compiler would join those of one word and call the routine all the same. Every form gives the same bits.
+//! A core without a 32 x 32 -> 64 multiplier (Armv6-M) calls a 64 x 64 routine for the product of
+//! two `u32`; four products of halves are a third of its cost. A factor from a table comes in
+//! halves: the compiler would join those of one word and call the routine all the same. Every form
+//! gives the same bits.
 
 use crate::target::HALVES;
 

@@ -1,7 +1,8 @@
 //! Ambient occlusion: how much of the sky, weighted by the cosine, nothing near hides
 //! (S. Zhukov, A. Iones and G. Kronin, "An Ambient Light Illumination Model", 1998).
 //!
-//! Directions of density cos theta / pi make it a plain mean: of 1 where nothing is met within the reach, else 0.
+//! With directions of density cos theta / pi it is a plain mean: of 1 where nothing is hit within
+//! the reach, else 0.
 
 use super::{DirectionSample, checked_distance};
 use crate::arithmetic::{Arithmetic, Real};
@@ -9,7 +10,7 @@ use crate::error::Error;
 use crate::frame::Frame;
 use crate::map::{Cosine, Density};
 
-/// Cosine-weighted directions about a normal, to be looked along up to a reach.
+/// Cosine-weighted directions about a normal, to be traced up to a reach.
 ///
 /// ```
 /// use hemidisc::{Frame, LibmF32, effect::AmbientOcclusion};
@@ -36,7 +37,7 @@ impl<A: Arithmetic<Real: Real>> AmbientOcclusion<A> {
         Ok(Self { lobe: Cosine::new(), reach: checked_distance(reach)? })
     }
 
-    /// How far to look.
+    /// How far to trace.
     pub const fn reach(&self) -> A::Real {
         self.reach
     }
@@ -48,7 +49,7 @@ impl<A: Arithmetic<Real: Real>> AmbientOcclusion<A> {
         DirectionSample { direction: normal.to_world(local), density, weight: A::Real::ONE }
     }
 
-    /// 1 where nothing is met, or beyond the reach; else 0.
+    /// 1 where nothing is hit, or only beyond the reach; else 0.
     #[inline]
     pub fn openness(&self, met: Option<A::Real>) -> A::Real {
         match met {

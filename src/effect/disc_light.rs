@@ -1,10 +1,10 @@
 //! A disc light: soft shadows (K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 18).
 //!
-//! A point of the disc, uniform over its area A, is seen from a receiver at a distance d and under the angle
-//! t to the disc's normal, which the receiver sees under s to its own. The point's density per steradian is
-//! d^2 / (A cos t), and irradiance is the mean of radiance A cos s cos t / d^2 where nothing is in the way.
-//! The weight is cos t / d^2: radiance A, the light's intensity along its axis, stays finite for a light of
-//! radius 0, which is a point.
+//! A point of the disc, uniform over its area A, is seen from a receiver at a distance d and under
+//! the angle t to the disc's normal, which the receiver sees under s to its own. The point's
+//! density per steradian is d^2 / (A cos t), and irradiance is the mean of radiance A cos s cos
+//! t / d^2 where nothing is in the way. The weight is cos t / d^2: radiance A, the light's
+//! intensity along its axis, stays finite for a light of radius 0, which is a point.
 
 use super::{along, capped, checked_radius, reciprocal};
 use crate::arithmetic::{Arithmetic, Real, Root};
@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::frame::{Frame, dot};
 use crate::map::{Concentric, Map};
 
-/// A light of the shape of a disc that shines to the side of its normal, or to both.
+/// A disc-shaped light that shines to the side of its normal, or to both sides.
 ///
 /// ```
 /// use hemidisc::{Frame, LibmF32, effect::DiscLight};
@@ -40,15 +40,16 @@ pub struct DiscLight<A: Arithmetic> {
 pub struct LightSample<R> {
     /// On the light.
     pub point: [R; 3],
-    /// From the receiver, of unit length; the light's normal where d^2 is no normal number: for a receiver at the
-    /// point, and for one too far away.
+    /// From the receiver, of unit length. It is the light's normal where d^2 underflows or
+    /// overflows: for a receiver at the point, and for one too far away.
     pub direction: [R; 3],
-    /// From the receiver; 0 where d^2 is no normal number.
+    /// From the receiver; 0 where d^2 underflows or overflows.
     pub distance: R,
-    /// Per steradian about the receiver, a normal number; 0 where no light goes.
+    /// Per steradian about the receiver, a normal number; 0 where no light arrives.
     pub density: R,
-    /// cos t / d^2, per square of the scene's unit: times the intensity along the axis and the receiver's cosine it is
-    /// irradiance. 0 behind the light and in its plane, which is as thick as coordinates round.
+    /// cos t / d^2, per square of the scene's unit: times the intensity along the axis and the
+    /// receiver's cosine it is irradiance. 0 behind the light and in its plane; the plane counts as
+    /// thick as the rounding error.
     pub weight: R,
 }
 
@@ -56,15 +57,15 @@ impl<A: Root> DiscLight<A> {
     /// A light about a centre, whose normal is the frame's third axis; one-sided.
     ///
     /// # Errors
-    /// [`Error::Radius`] for a radius that is not a number from 0 on of a finite square, [`Error::Position`] for a centre
-    /// from which the rim is not at finite numbers.
+    /// [`Error::Radius`] for a radius that is negative, NaN or has no finite square,
+    /// [`Error::Position`] if a coordinate of the centre or of the rim is not finite.
     pub fn new(
         centre: [A::Real; 3],
         frame: Frame<A::Real>,
         radius: A::Real,
     ) -> Result<Self, Error> {
         let radius = checked_radius(radius)?;
-        // Twice, for the sums round.
+        // Twice, because the sums round.
         let bad = |component: &A::Real| !(component.magnitude() + radius + radius).finite();
         if let Some(component) = centre.into_iter().find(bad) {
             return Err(Error::Position { value: component.into() });
@@ -90,8 +91,8 @@ impl<A: Root> DiscLight<A> {
         reciprocal(self.area())
     }
 
-    /// The light's point for a pair of coordinates, as seen from a receiver; one so near that d^2 is no normal number
-    /// is on the light.
+    /// The light's point for a pair of coordinates, as seen from a receiver. A receiver so near
+    /// that d^2 underflows counts as on the light.
     #[inline]
     pub fn sample(&self, receiver: [A::Real; 3], uv: [u32; 2]) -> LightSample<A::Real> {
         let [x_axis, y_axis, normal] = self.frame.axes();
@@ -104,15 +105,16 @@ impl<A: Root> DiscLight<A> {
         }
         let distance = A::sqrt(square);
         let direction = to_light.map(|component| component / distance);
-        // The cosine by the plane: the side is the same for all points, and none is a rounding error.
+        // The cosine comes from the distance to the plane: all points agree on the side, and none
+        // is a rounding error.
         let weight = self.shining(self.height(receiver) / distance) / square;
         let density =
             if weight > A::Real::ZERO { reciprocal(self.area() * weight) } else { A::Real::ZERO };
         LightSample { point, direction, distance, density, weight }
     }
 
-    /// The density of a direction from a receiver, per steradian; 0 where it misses the light, and of a light of
-    /// radius 0, which no direction but the sampled ones meets.
+    /// The density of a direction from a receiver, per steradian. It is 0 where the direction
+    /// misses the light. It is also 0 for a light of radius 0, which only sampled directions hit.
     #[inline]
     pub fn density(&self, receiver: [A::Real; 3], direction: [A::Real; 3]) -> A::Real {
         let normal = self.frame.axes()[2];
@@ -129,8 +131,8 @@ impl<A: Root> DiscLight<A> {
         if inside { capped(density) } else { A::Real::ZERO }
     }
 
-    /// Of a receiver above the light's plane, on the side of the normal; 0 where rounding of the coordinates decides
-    /// the side.
+    /// A receiver's height above the light's plane, on the side of the normal; 0 where rounding of
+    /// the coordinates decides the side.
     #[inline]
     fn height(&self, receiver: [A::Real; 3]) -> A::Real {
         let normal = self.frame.axes()[2];
@@ -139,7 +141,7 @@ impl<A: Root> DiscLight<A> {
         if height.magnitude() > rounding { height } else { A::Real::ZERO }
     }
 
-    /// cos t of a cosine to the normal: 0 on a side where the light does not shine.
+    /// cos t from the cosine to the normal: 0 on a side where the light does not shine.
     #[inline]
     fn shining(&self, cosine: A::Real) -> A::Real {
         if cosine > A::Real::ZERO {
@@ -152,7 +154,7 @@ impl<A: Root> DiscLight<A> {
     }
 }
 
-/// |x n_x| + |y n_y| + |z n_z|, of which the product of both rounds by some eps.
+/// |x n_x| + |y n_y| + |z n_z|: the dot product's rounding error is some eps of it.
 #[inline]
 fn size<R: Real>(point: [R; 3], normal: [R; 3]) -> R {
     dot(point.map(R::magnitude), normal.map(R::magnitude))

@@ -1,7 +1,9 @@
-//! Glossy reflection: a cosine-power lobe about the mirror direction (B. T. Phong, "Illumination for Computer
-//! Generated Pictures", 1975; K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 25).
+//! Glossy reflection: a cosine-power lobe about the mirror direction (B. T. Phong, "Illumination
+//! for Computer Generated Pictures", 1975; K. Suffern, "Ray Tracing from the Ground Up", 2007,
+//! chapter 25).
 //!
-//! At grazing angles a part of the lobe is below the surface; [`BelowHorizon`] says what becomes of it.
+//! At grazing angles a part of the lobe is below the surface; [`BelowHorizon`] chooses how to
+//! handle it.
 
 use super::{DirectionSample, along, capped};
 use crate::arithmetic::{Arithmetic, Real};
@@ -9,15 +11,16 @@ use crate::error::Error;
 use crate::frame::{Frame, dot};
 use crate::map::{Density, Power};
 
-/// What becomes of a direction below the surface.
+/// How to handle a direction below the surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BelowHorizon {
-    /// There is no sample. The mean over those there are is of the lobe's upper part alone, scaled to 1: no energy
-    /// is lost, and the caller counts.
+    /// Rejected: there is no sample. The mean over the others is that of the lobe's upper part,
+    /// normalised to 1. No energy is lost, and the caller counts the samples.
     Reject,
-    /// It is mirrored in the surface, and adds its density to that of the direction it meets: no energy is lost.
+    /// Mirrored in the surface; its density is added to that of the direction it becomes. No energy
+    /// is lost.
     Flip,
-    /// Its weight is 0: the energy of the part below is lost.
+    /// Given weight 0: the energy of the part below is lost.
     Zero,
 }
 
@@ -39,7 +42,7 @@ pub struct Glossy<A: Arithmetic> {
 }
 
 impl<A: Arithmetic<Real: Real>> Glossy<A> {
-    /// Reflection of an exponent e > -1: the larger, the nearer to a mirror.
+    /// Reflection with an exponent e > -1: the larger, the nearer to a mirror.
     ///
     /// # Errors
     /// [`Error::Exponent`] for a value that is not a finite number above -1.
@@ -47,9 +50,11 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
         Ok(Self { lobe: Power::new(exponent)?, below })
     }
 
-    /// Where light that arrives along a unit vector leaves a surface of a unit normal; none is rejected.
+    /// The direction in which light that arrives along a unit vector leaves a surface with a unit
+    /// normal; `None` if it is rejected.
     ///
-    /// Either side of a surface may be hit: the normal is taken to be on the side that the light comes from.
+    /// Either side of a surface may be hit: the normal is taken to be on the side that the light
+    /// comes from.
     #[inline]
     pub fn sample(
         &self,
@@ -70,7 +75,7 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
                     direction = flipped;
                 }
             }
-            // In the surface nothing is seen either.
+            // Nothing is visible along the surface either.
             _ if height > A::Real::ZERO => {}
             BelowHorizon::Reject => return None,
             BelowHorizon::Zero => weight = A::Real::ZERO,
@@ -78,8 +83,8 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
         Some(DirectionSample { direction, density, weight })
     }
 
-    /// The density of leaving along a direction, per steradian: of [`Reject`](BelowHorizon::Reject) that before
-    /// the samples below are taken out.
+    /// The density of leaving along a direction, per steradian. For
+    /// [`Reject`](BelowHorizon::Reject) it is the density before rejection.
     #[inline]
     pub fn density(
         &self,

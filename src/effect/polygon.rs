@@ -1,14 +1,16 @@
 //! A regular polygon in the unit disc: the aperture of a lens with N blades.
 //!
-//! u chooses one of N triangles about the centre, and the rest of u and v a point of it, by E. Heitz, "A
-//! Low-Distortion Map Between Triangle and Square", 2019: no square root, and neighbours stay neighbours.
+//! u chooses one of N triangles about the centre, and the rest of u and v a point of it, by E.
+//! Heitz, "A Low-Distortion Map Between Triangle and Square", 2019: no square root, and neighbours
+//! stay neighbours.
 
 use crate::arithmetic::{Arithmetic, Real, RealKernel};
 use crate::map::{Density, Invert, Map, Polar};
 
 /// The unit square onto a regular polygon of N corners on the unit circle; area ratios are kept.
 ///
-/// The corners are the polar map's outermost points, 6e-11 short of the circle. The blade is floor(u N). A polygon of fewer than 3 corners does not compile.
+/// The corners are the polar map's outermost points, 6e-11 short of the circle. The blade is
+/// floor(u N). A polygon with fewer than 3 corners does not compile.
 ///
 /// ```
 /// use hemidisc::{LibmF32, Map, effect::Polygon};
@@ -99,7 +101,7 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Density for Polygon<A, N> {
     fn density(&self, point: [A::Real; 2]) -> A::Real {
         let (blade, [s, t]) = self.found(point);
         let [a, b] = self.blade(blade);
-        // A share is as wrong as its blade is narrow.
+        // The relative error of a share grows as 1 / area of the blade.
         let slack = A::Real::EPSILON * A::Real::FOUR / cross(a, b);
         if s >= -slack && t >= -slack && s + t <= A::Real::ONE + slack {
             self.density
@@ -116,7 +118,7 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Invert for Polygon<A, N> {
         let (s, t) = if t > s { (s + s, t + s) } else { (s + t, t + t) };
         let [u, v] = [s, t].map(|x| x.cell(32));
         let blades = (blade as u64) << 32;
-        // Rounded down it may be in the blade before, on whose far side v is another place.
+        // Rounded down it may be in the blade before, where the same v is another place.
         let first = blades.div_ceil(N as u64);
         [((blades | u64::from(u)) / N as u64).max(first) as u32, v]
     }

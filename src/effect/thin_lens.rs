@@ -1,17 +1,18 @@
-//! A thin lens: depth of field (R. Cook, T. Porter and L. Carpenter, "Distributed Ray Tracing", 1984;
-//! K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 10).
+//! A thin lens: depth of field (R. Cook, T. Porter and L. Carpenter, "Distributed Ray Tracing",
+//! 1984; K. Suffern, "Ray Tracing from the Ground Up", 2007, chapter 10).
 //!
-//! Rays of one pixel leave the lens anywhere and meet where the ray through its centre is in focus. In camera
-//! space, z ahead, that ray has the direction d = (d_x, d_y, 1); from the lens point (l_x, l_y) it is
-//! d - (l_x, l_y, 0) / f with the focal distance f. A lens of radius 0 gives d to the last bit.
+//! Rays of one pixel leave the lens anywhere and meet where the ray through its centre is in focus.
+//! In camera space, z ahead, that ray has the direction d = (d_x, d_y, 1); from the lens point
+//! (l_x, l_y) it is d - (l_x, l_y, 0) / f with the focal distance f. A lens of radius 0 gives d to
+//! the last bit.
 
 use super::{capped, checked_distance, checked_radius, reciprocal};
 use crate::arithmetic::Real;
 use crate::error::Error;
 use crate::map::{Density, Map};
 
-/// A lens with an aperture of any map onto the unit disc: [`Concentric`](crate::Concentric) or
-/// [`Polar`](crate::Polar) for a round one, [`Polygon`](super::Polygon) for one of blades.
+/// A lens whose aperture is any map onto the unit disc: [`Concentric`](crate::Concentric) or
+/// [`Polar`](crate::Polar) for a round one, [`Polygon`](super::Polygon) for one with blades.
 ///
 /// ```
 /// use hemidisc::{Concentric, LibmF32, effect::ThinLens};
@@ -45,11 +46,12 @@ pub struct LensRay<R> {
 }
 
 impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
-    /// A lens of a radius, 0 for a pinhole, in focus at a distance, which may be infinite.
+    /// A lens with a radius (0 for a pinhole) and a focal distance, which may be infinite.
     ///
     /// # Errors
-    /// [`Error::Radius`] for a radius that is not a number from 0 on of a finite square, [`Error::Distance`] for a
-    /// distance that is not above 0, or so near that radius / distance is no finite number.
+    /// [`Error::Radius`] for a radius that is negative, NaN or has no finite square,
+    /// [`Error::Distance`] for a distance that is not above 0, or so small that radius / distance
+    /// is not finite.
     pub fn new(aperture: M, radius: R, focal_distance: R) -> Result<Self, Error> {
         let radius = checked_radius(radius)?;
         let nearness = capped(R::ONE / checked_distance(focal_distance)?);
@@ -65,8 +67,8 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
         self.aperture.sample(uv).map(|component| component * self.radius)
     }
 
-    /// The ray that leaves the lens at the point for a pair of coordinates, of those that meet in focus the ray
-    /// (d_x, d_y, 1) through its centre.
+    /// The ray from the lens point of a pair of coordinates. In focus it meets the ray (d_x,
+    /// d_y, 1) through the lens's centre.
     #[inline]
     pub fn ray(&self, [d_x, d_y]: [R; 2], uv: [u32; 2]) -> LensRay<R>
     where
@@ -82,8 +84,9 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
         }
     }
 
-    /// Radius of the disc that the rays of a pixel fill at a finite distance ahead: r |1 - distance / f|, in the lens's
-    /// unit, at most MAX. Divided by the distance it is that of the blur in the image plane z = 1.
+    /// Radius of the circle of confusion at a finite distance ahead: r |1 - distance / f|, in the
+    /// lens's unit, at most MAX. Divided by the distance it is the radius of the blur in the image
+    /// plane z = 1.
     #[inline]
     pub fn circle_of_confusion(&self, distance: R) -> R {
         capped((self.radius - distance * (self.radius * self.nearness)).magnitude())

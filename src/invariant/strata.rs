@@ -9,8 +9,8 @@ use crate::sequence::Sequence;
 /// `marks` is memory for one bit a cell: columns x rows / 32 words, rounded up.
 ///
 /// # Errors
-/// [`Violation::Stratum`] with the first point that comes second to a cell; [`Violation::NoRoom`]
-/// if `marks` is too short.
+/// [`Violation::Stratum`] with the first point that falls into an occupied cell;
+/// [`Violation::NoRoom`] if `marks` is too short.
 ///
 /// ```
 /// use hemidisc::{invariant, sequence::Jittered};
@@ -33,7 +33,7 @@ pub fn cells<S: Sequence>(
     for (offset, [u, v]) in (0..count).zip(sequence.iter(start)) {
         let cell = stratum(u, columns) + stratum(v, rows) * u64::from(columns);
         let (word, bit) = ((cell / 32) as usize, 1 << (cell % 32));
-        // As many points as cells: if none comes second, every cell has its one.
+        // There are as many points as cells: without a collision every cell holds one.
         match marks.get_mut(word) {
             Some(word) if *word & bit == 0 => *word |= bit,
             _ => {

@@ -50,7 +50,7 @@ pub trait DiscMap:
     fn invert_lowered(lowered: LoweredOf<Self::Arithmetic>) -> [u32; 2];
 }
 
-/// What the inverses of an arithmetic find coordinates from.
+/// The input of an arithmetic's inverses.
 #[doc(hidden)]
 pub type LoweredOf<A> = <<A as Arithmetic>::Back as Back>::Lowered;
 

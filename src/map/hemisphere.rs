@@ -1,7 +1,7 @@
 //! Maps onto the unit hemisphere z > 0: a disc map lifted by a lobe.
 //!
-//! A disc map gives a point and its exact 1 - r^2; a lobe turns both into a direction. Over the polar
-//! map the power lobe is the textbook's phi = 2 pi u, theta = acos((1 - v)^(1 / (e + 1))).
+//! A disc map gives a point and its exact 1 - r^2; a lobe turns both into a direction. Over the
+//! polar map the power lobe is the textbook's phi = 2 pi u, theta = acos((1 - v)^(1 / (e + 1))).
 
 macro_rules! modules {
     ($($file:ident $lobe:ident $over:ident $name:literal $parameters:tt;)*) => {$(

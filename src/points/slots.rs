@@ -4,7 +4,7 @@ use crate::block::{BLOCK, Lanes, Point};
 use crate::map::Map;
 use crate::sequence::Sequence;
 
-/// Memory of a caller's for points.
+/// The caller's memory for points.
 pub(super) trait Slots<P: Point>: Sized {
     /// The first `count` slots, and those after them.
     fn split(self, count: usize) -> (Self, Self);

@@ -14,7 +14,7 @@ use crate::target::HALVES;
 ///
 /// Promise: any 2^a 3^b consecutive points hit each of the 2^a x 3^b elementary intervals once, for
 /// b <= 19. (3^20 intervals are as narrow as a cell, and rounding up to a cell may cross an edge.)
-/// Takes no seed. A point costs up to 20 divisions by 3, one that follows another a few additions.
+/// Takes no seed. A point by its index costs up to 20 divisions by 3, the next one a few additions.
 ///
 /// ```
 /// use hemidisc::sequence::Halton;
@@ -37,7 +37,7 @@ impl Halton {
     }
 }
 
-/// The ternary digits that a coordinate tells apart, and 3 to their power.
+/// The ternary digits that a coordinate can distinguish, and 3 to their power.
 const DIGITS: u32 = 20;
 const SCALE: u32 = 3_u32.pow(DIGITS);
 
@@ -51,7 +51,7 @@ const fn radical_inverse_3(index: u32) -> u32 {
         let third = third(rest);
         mirrored += (rest - 3 * third) * weight;
         rest = third;
-        // A third of a multiple of 3, and of no use after the last digit: 3 0xaaaa_aaab = 1 mod 2^32.
+        // A third of a multiple of 3, unused after the last digit: 3 0xaaaa_aaab = 1 mod 2^32.
         weight = weight.wrapping_mul(0xaaaa_aaab);
         digits += 1;
     }
@@ -61,7 +61,7 @@ const fn radical_inverse_3(index: u32) -> u32 {
     cell + (rest > 0 && slack <= u32::MAX / 3) as u32
 }
 
-/// floor(n / 3), by products for a core that does not divide.
+/// floor(n / 3), by products for a core without a divider.
 #[inline(always)]
 const fn third(n: u32) -> u32 {
     if !HALVES {
@@ -76,9 +76,10 @@ const fn third(n: u32) -> u32 {
 
 /// ceil(2^32 m / 3^20) for m < 3^20.
 ///
-/// That is m + y with y = m (2^32 - 3^20) / 3^20, and 4y is above `quarters` by less than 1 + m / 2^32 < 1.82. So
-/// `near` is above m + y by at most 1/4 or below it by less than 0.96, and the product with 3^20, which is the
-/// difference times 3^20 modulo 2^32, tells which: 3^20 / 4 is below 2^32 - 0.96 3^20.
+/// That is m + y with y = m (2^32 - 3^20) / 3^20, and 4y is above `quarters` by less than
+/// 1 + m / 2^32 < 1.82. So `near` is above m + y by at most 1/4 or below it by less than 0.96, and
+/// the product with 3^20, which is the difference times 3^20 modulo 2^32, tells which: 3^20 / 4 is
+/// below 2^32 - 0.96 3^20.
 const fn scaled(m: u32) -> u32 {
     const FRACTION: u32 = ((((1 << 32) - SCALE as u64) << 34) / SCALE as u64) as u32;
     let quarters = high(m, FRACTION);
@@ -87,7 +88,7 @@ const fn scaled(m: u32) -> u32 {
     near + (near.wrapping_mul(SCALE) > SCALE / 4) as u32
 }
 
-/// 4 / 3^(j + 1) of the axis, without whole ones: what the index after one that ends in j digits 2 is further on.
+/// 4 / 3^(j + 1) of the axis modulo 1: the step from an index that ends in j digits 2 to the next.
 /// In cells, rounded down, and the remainder in 3^-20 cells.
 const STEPS: [[u32; 2]; DIGITS as usize] = {
     let mut steps = [[0; 2]; DIGITS as usize];
@@ -103,7 +104,8 @@ const STEPS: [[u32; 2]; DIGITS as usize] = {
 /// The cell of the index after one below 3^20 - 1.
 #[inline(always)]
 fn after(cell: u32) -> u32 {
-    // j digits 2 lead those of x from 1 - 3^-j on, that is where fewer than 2^32 / 3^j cells follow.
+    // j digits 2 lead those of x from 1 - 3^-j on, that is where fewer than 2^32 / 3^j cells
+    // follow.
     let mut step = STEPS[0];
     if !cell < step[0] {
         for next in &STEPS[1..] {
@@ -141,7 +143,7 @@ impl Walk for Halton {
     #[inline(always)]
     fn enter(&self, index: u32) -> (Self::State, u32) {
         let state = (Reversed::new(index), radical_inverse_3(index));
-        // From 3^20 on a cell does not tell the digits.
+        // From 3^20 on a cell does not determine the digits.
         (state, SCALE.saturating_sub(index).max(1))
     }
 
@@ -167,7 +169,7 @@ mod tests {
         }
     }
 
-    /// At all carries, the longest too.
+    /// At every carry, including the longest.
     #[test]
     fn a_step_is_the_next_point() {
         let powers = (0..DIGITS).flat_map(|digit| [1, 2, 3].map(|n| n * 3_u32.pow(digit)));

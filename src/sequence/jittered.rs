@@ -11,9 +11,9 @@ use crate::error::Error;
 
 /// One random point in each cell of an m x n grid: column i mod m, row i / m.
 ///
-/// Promise: exactly one point in each of the m x n cells, at one of 2^16 x 2^16 places. The order is
-/// row by row; a renderer that pairs two such sets shuffles one ([`Shuffled`](super::Shuffled)). A
-/// point costs one hash.
+/// Promise: exactly one point in each of the m x n cells, at one of 2^16 x 2^16 places. The order
+/// is row by row; a renderer that pairs two such sets shuffles one ([`Shuffled`](super::Shuffled)).
+/// A point costs one hash.
 ///
 /// ```
 /// use hemidisc::sequence::Jittered;
@@ -33,7 +33,8 @@ impl Jittered {
     /// A grid of `columns` x `rows`; every seed, 0 too, is hashed.
     ///
     /// # Errors
-    /// [`Error::EmptyGrid`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
+    /// [`Error::EmptyGrid`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a
+    /// `u32`.
     pub const fn new(columns: u32, rows: u32, seed: u32) -> Result<Self, Error> {
         match Grid::new(columns, rows) {
             Ok(grid) => Ok(Self {

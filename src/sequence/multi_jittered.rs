@@ -44,7 +44,8 @@ impl MultiJittered {
     /// A grid of `columns` x `rows`; every seed, 0 too, is hashed.
     ///
     /// # Errors
-    /// [`Error::EmptyGrid`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
+    /// [`Error::EmptyGrid`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a
+    /// `u32`.
     pub const fn new(columns: u32, rows: u32, seed: u32) -> Result<Self, Error> {
         match Grid::new(columns, rows) {
             Ok(grid) => Ok(Self {
@@ -93,7 +94,7 @@ impl Sequence for MultiJittered {
 
     walks!();
 
-    /// A round of the permutations for all at a time.
+    /// Each round of the permutations runs over the whole block.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         let Self { grid, fine, .. } = *self;

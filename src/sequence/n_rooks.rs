@@ -14,9 +14,9 @@ use crate::error::Error;
 
 /// N points, one in each of N columns and one in each of N rows: column i, a random row.
 ///
-/// Promise: each of the N strata of u and each of the N strata of v holds exactly one point, at one of
-/// 2^16 places of the stratum. The order is by column; a renderer that pairs two such sets shuffles one
-/// ([`Shuffled`](super::Shuffled)). A point costs one permutation ([`permute`]).
+/// Promise: each of the N strata of u and each of the N strata of v holds exactly one point, at one
+/// of 2^16 places of the stratum. The order is by column; a renderer that pairs two such sets
+/// shuffles one ([`Shuffled`](super::Shuffled)). A point costs one permutation ([`permute`]).
 ///
 /// ```
 /// use hemidisc::sequence::NRooks;
@@ -78,7 +78,7 @@ impl Sequence for NRooks {
 
     walks!();
 
-    /// A round of the permutation for all at a time.
+    /// Each round of the permutation runs over the whole block.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         let Self { strata, rows, jitter } = *self;

@@ -1,8 +1,8 @@
 //! R2: a Kronecker sequence on the plastic number (M. Roberts, "The Unreasonable Effectiveness of
 //! Quasirandom Sequences", 2018).
 //!
-//! With g = 1.3247..., the real root of g^3 = g + 1, the steps are 2^32 / g and 2^32 / g^2. The second is
-//! rounded to an odd integer, so that both axes run through all 2^32 values.
+//! With g = 1.3247..., the real root of g^3 = g + 1, the steps are 2^32 / g and 2^32 / g^2. The
+//! second is rounded to an odd integer, so that both axes run through all 2^32 values.
 
 use super::Sequence;
 use crate::bits::hash::shift;

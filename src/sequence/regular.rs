@@ -1,7 +1,7 @@
 //! Regular grid: the centre of every cell of an m x n grid, row by row.
 //!
-//! Coordinate c of m is the cell floor((2c + 1) 2^31 / m) that holds (2c + 1) / 2m, which is never on
-//! the edge of a stratum. Point i is in column i mod m, row i / m.
+//! Coordinate c of m is the cell floor((2c + 1) 2^31 / m) that holds (2c + 1) / 2m, which is never
+//! on the edge of a stratum. Point i is in column i mod m, row i / m.
 
 use super::Sequence;
 use super::walk::{Walk, block_in_order, walks};
@@ -13,8 +13,9 @@ use crate::error::Error;
 
 /// The centres of an m x n grid: column i mod m, row i / m.
 ///
-/// Promise: exactly one point in each of the m x n cells, at its centre, for at most 2^31 columns and
-/// rows. (Above that a centre and the edge below it may be in one cell of the coordinate.) Takes no seed.
+/// Promise: exactly one point in each of the m x n cells, at its centre, for at most 2^31 columns
+/// and rows. (Above that a centre and the edge below it may be in one cell of the coordinate.)
+/// Takes no seed.
 ///
 /// ```
 /// use hemidisc::sequence::Regular;
@@ -33,7 +34,8 @@ impl Regular {
     /// A grid of `columns` x `rows`.
     ///
     /// # Errors
-    /// [`Error::EmptyGrid`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a `u32`.
+    /// [`Error::EmptyGrid`] if either is 0; [`Error::SetTooLarge`] if their product exceeds a
+    /// `u32`.
     pub const fn new(columns: u32, rows: u32) -> Result<Self, Error> {
         match Grid::new(columns, rows) {
             Ok(grid) => Ok(Self { grid, columns: Centres::new(columns), rows: Centres::new(rows) }),
@@ -65,8 +67,9 @@ impl Centres {
         Self { strata, half: (1 << 31) / strata.count(), rest: (1 << 31) % strata.count() }
     }
 
-    /// floor((2c + 1) 2^31 / count) for the stratum that begins at `first`: that is c 2^32 / count + s / count
-    /// with a slack s < count, and the centre half a stratum further on and s / count back.
+    /// floor((2c + 1) 2^31 / count) for the stratum that begins at `first`: that is c
+    /// 2^32 / count + s / count with a slack s < count, and the centre half a stratum further on
+    /// and s / count back.
     #[inline(always)]
     const fn centre(self, first: u32) -> u32 {
         let slack = first.wrapping_mul(self.strata.count());

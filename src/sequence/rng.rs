@@ -25,7 +25,7 @@ impl<R: Rng> FromRng<R> {
         Self { rng }
     }
 
-    /// The generator back, in the state the draws have left it in.
+    /// Returns the generator, in its state after the draws.
     pub fn into_inner(self) -> R {
         self.rng
     }

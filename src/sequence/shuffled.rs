@@ -1,8 +1,8 @@
 //! Another sequence's points in another order: what pairs two sets without correlation.
 //!
 //! Two sets that both walk their cells row by row (a jittered lens and a jittered light, say) put
-//! point i of either into the same cell, and the pairs fill a small part of the product space. A
-//! shuffle of the order of one, with a key of its own, mends that.
+//! point i of either into the same cell, and the pairs fill a small part of the product space.
+//! Shuffling the order of one, with a key of its own, fixes that.
 
 use super::Sequence;
 use super::sobol_owen::shuffle;
@@ -14,7 +14,7 @@ use crate::domain::Domain;
 ///
 /// Promise: that of `S` for the whole set. An endless sequence is shuffled by a nested-uniform
 /// shuffle, which keeps aligned blocks of 2^k together; a set by a permutation of its size. A point
-/// costs one of the two more.
+/// costs one of the two in addition.
 ///
 /// ```
 /// use hemidisc::{Domain, sequence::{Regular, Shuffled}};

@@ -64,7 +64,7 @@ pub(super) const fn pascal_reversed(mut x: u32) -> u32 {
     x ^ (x >> 16)
 }
 
-/// The first 64 points, which xor with the first point of a block to give the rest of it.
+/// The first 64 points: xor with the first point of a block gives the rest of it.
 const OFFSETS: [Block; 2] = {
     let mut offsets = [[0; BLOCK]; 2];
     let mut index = 0;
@@ -112,7 +112,7 @@ impl Sequence for Sobol {
     }
 }
 
-/// As a block, of as few as a small image has room for.
+/// Like a block, but small enough for a small image.
 impl Walk for Sobol {
     /// The point that the few begin with, and the place among them.
     type State = ([u32; 2], u32);

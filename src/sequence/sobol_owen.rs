@@ -13,8 +13,8 @@ use crate::target::VECTORS_OF_HALVES;
 
 /// The Sobol (0, 2)-sequence, Owen-scrambled on each axis, in a shuffled order.
 ///
-/// Promise: each block of 2^k points that starts at a multiple of 2^k is a (0, k, 2)-net; the points
-/// of different seeds or domains are independent. A point costs three hashes of four
+/// Promise: each block of 2^k points that starts at a multiple of 2^k is a (0, k, 2)-net; the
+/// points of different seeds or domains are independent. A point costs three hashes of four
 /// multiplications each, and four bit reversals.
 ///
 /// ```
@@ -47,7 +47,8 @@ impl SobolOwen {
         self.scrambled(self.reversed(index))
     }
 
-    /// The reversed coordinates of the Sobol point of a shuffled index: the index, and Pascal's matrix on it.
+    /// The reversed coordinates of the Sobol point of a shuffled index: the index, and Pascal's
+    /// matrix on it.
     #[inline(always)]
     const fn reversed(self, index: u32) -> [u32; 2] {
         let u = shuffle(index, self.order);
@@ -64,9 +65,9 @@ impl SobolOwen {
     }
 }
 
-/// An aligned block of indices is shuffled within itself and moved as a whole, and Pascal's matrix is linear over xor: what
-/// differs in a block are the low bits of both coordinates, reversed. In passes, for the chain of a point is 60 operations
-/// long.
+/// An aligned block of indices is shuffled within itself and moved as a whole, and Pascal's matrix
+/// is linear over xor. So within a block only the low bits of both reversed coordinates differ. The
+/// block runs in passes, because a point is a dependency chain of 60 operations.
 impl SobolOwen {
     #[inline(always)]
     fn block_in_words(self, start: u32, u: &mut Block, v: &mut Block) {
@@ -101,7 +102,7 @@ impl SobolOwen {
     }
 }
 
-/// The bits of an index that tell the points of a block apart.
+/// The bits of an index that distinguish the points of a block.
 const LOW: u32 = BLOCK as u32 - 1;
 
 /// Nested-uniform shuffle of the index: aligned blocks of 2^k stay aligned blocks of 2^k.
@@ -129,8 +130,9 @@ impl Sequence for SobolOwen {
         }
     }
 
-    /// Pairs stay pairs, so an odd index is shuffled to what the even one before it is, with the last bit changed;
-    /// and so are the coordinates, for Pascal's matrix takes the last bit to itself alone.
+    /// Pairs stay pairs, so an odd index is shuffled to what the even one before it is, with the
+    /// last bit changed; and so are the coordinates, for Pascal's matrix takes the last bit to
+    /// itself alone.
     #[inline(always)]
     fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
         let (sequence, mut index) = (*self, start);

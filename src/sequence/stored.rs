@@ -8,7 +8,7 @@ use crate::error::Error;
 
 /// The caller's own points, in a slice of at least one.
 ///
-/// Promise: whatever the slice holds. A point costs a load.
+/// Promise: none beyond what the slice holds. A point costs a load.
 ///
 /// ```
 /// use hemidisc::sequence::Stored;
@@ -41,7 +41,7 @@ impl<'a> Stored<'a> {
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let index = repeat(index, self.points.len() as u32) as usize;
-        // Always so; the comparison spares the image a path to a panic.
+        // Always true; the comparison removes a path to a panic.
         if index < self.points.len() { self.points[index] } else { [0; 2] }
     }
 
@@ -85,7 +85,7 @@ impl Sequence for Stored<'_> {
             walk(from, slots, &map);
             start = start.wrapping_add(slots.len() as u32);
             left = rest;
-            // Index 0 as well as the slice's end is followed by the slice's first point.
+            // The slice's first point comes at index 0 and after the slice's end.
             from = up_to_the_last_index(self.points, start);
         }
     }
@@ -101,8 +101,8 @@ impl Sequence for Stored<'_> {
     }
 }
 
-/// Slots and points along two slices: a chained iterator would ask at each point which of its halves it is in,
-/// and inlined into the loop over stretches it would leave the map too few registers.
+/// Slots and points along two slices. A chained iterator would test at each point which half it is
+/// in. Inlined into the loop over stretches, it would leave the map too few registers.
 #[inline(never)]
 fn walk<P>(points: &[[u32; 2]], slots: &mut [P], map: impl Fn([u32; 2]) -> P) {
     for (slot, point) in slots.iter_mut().zip(points) {

@@ -9,7 +9,7 @@ pub(super) trait Walk: Sequence {
     /// What advances from point to point.
     type State: Default;
 
-    /// The state at an index, and for how many points it serves: at least one.
+    /// The state at an index, and the number of points that it gives: at least one.
     fn enter(&self, index: u32) -> (Self::State, u32);
 
     /// Takes a point from a state.
@@ -37,7 +37,7 @@ pub(super) trait Walk: Sequence {
         })
     }
 
-    /// [`Sequence::fill_with`]: a loop for a stretch asks one question a point.
+    /// [`Sequence::fill_with`]: the loop over a stretch has one branch a point.
     #[inline(always)]
     fn walk_into<P>(&self, start: u32, slots: &mut [P], map: impl Fn([u32; 2]) -> P) {
         let (mut next, mut slots) = (start, slots);
@@ -69,7 +69,8 @@ macro_rules! walks {
 }
 pub(super) use walks;
 
-/// Whether a block of indices from `start` on is inside a set, which does not repeat before its end.
+/// Whether a block of indices from `start` on is inside a set, which does not repeat before its
+/// end.
 #[inline(always)]
 pub(super) const fn is_inside(start: u32, size: u32) -> bool {
     start as u64 + BLOCK as u64 <= size as u64
@@ -81,7 +82,7 @@ pub(super) fn indices(start: u32) -> Block {
     core::array::from_fn(|lane| start + lane as u32)
 }
 
-/// A block of points that are cheaper one after another than each by its index.
+/// A block of points that are cheaper in order than each by its index.
 #[inline(always)]
 pub(super) fn block_in_order(points: impl Iterator<Item = [u32; 2]>, u: &mut Block, v: &mut Block) {
     for ((u, v), point) in u.iter_mut().zip(v).zip(points) {

@@ -94,7 +94,7 @@ pub trait Number: Exact + Digestible + Into<f64> {
     fn nearest(value: f64) -> Self;
     /// The bits, as `--raw` prints them.
     fn raw(self) -> String;
-    /// The decimal that is printed of raw bits: the shortest that reads back exactly, or the exact
+    /// The decimal that is printed for raw bits: the shortest that reads back exactly, or the exact
     /// one.
     fn decimal(raw: &str) -> String;
 }

@@ -13,7 +13,7 @@ pub struct Contract {
     /// Name of the map: `disc`, or a lobe.
     pub map: &'static str,
     /// What the bounds count. For floats it is half an ulp of 1: 2^-24 for f32 and 2^-53 for f64.
-    /// For fixed point it is an LSB. For `micromath-f32`, which is good to a thousand of them, it
+    /// For fixed point it is an LSB. For `micromath-f32`, whose errors are a thousand of them, it
     /// is 2^-20.
     pub unit: f64,
     /// Whether the errors of theta, z and density are relative: floats. Those of fixed point are
@@ -29,9 +29,9 @@ pub struct Contract {
     /// fixed point z is within `position`, and this is 0.
     pub z: [f64; 2],
     /// Largest error of the density at a sampled point, for exponents in [0, 1e8]: the first, plus
-    /// the second times sqrt e, which is how fast a fixed-point direction loses sight of a narrow
-    /// lobe. In fixed point and 0 < e < 1 the bound also has what an error of z within `position`
-    /// makes of z^e, up to LSB^e at the horizon.
+    /// the second times sqrt e, which is how fast a fixed-point direction loses accuracy in a
+    /// narrow lobe. In fixed point and 0 < e < 1 the bound also includes the error of z^e by an
+    /// error of z within `position`, up to LSB^e at the horizon.
     pub density: [f64; 2],
     /// Largest distance between a point and the sample of its inverse, for exponents in [0, 1e8].
     pub round_trip: f64,

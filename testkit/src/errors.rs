@@ -166,7 +166,7 @@ impl Errors {
         } else {
             let error = (found - exactly.hi / peak(contract.map, e)).abs();
             let z = reference.z.map_or(1.0, |z| z.hi);
-            // NaN stays.
+            // NaN propagates.
             if error <= explained(contract, e, z) { 0.0 } else { error - explained(contract, e, z) }
         };
         let density = density / contract.unit;
@@ -180,7 +180,7 @@ impl Errors {
         }
     }
 
-    /// The larger of each; a NaN stays, so that a comparison with a bound fails.
+    /// The larger of each. A NaN propagates, so that a comparison with a bound fails.
     pub fn include(&mut self, other: Self) {
         let larger = |a: &mut f64, b: f64| {
             if b.is_nan() || b > *a {
@@ -237,7 +237,7 @@ impl Errors {
     }
 }
 
-/// Something to do with each map of an arithmetic, whatever its dimension.
+/// A visitor of each map of an arithmetic, of either dimension.
 pub trait EachMap<A: Arithmetic> {
     /// `kind` is `disc` or the lobe; `disc` the disc map.
     fn each<const D: usize, M: Invert<Point = [A::Real; D]>>(
@@ -280,7 +280,7 @@ fn exact<R: Exact, const D: usize>(point: [R; D]) -> [f64; D] {
     point.map(Exact::exact)
 }
 
-/// Coordinates where trouble lives: powers of two, the centre, the edges, each with neighbours.
+/// Hard coordinates: powers of two, the centre, the edges, each with neighbours.
 pub fn hard_coordinates() -> Vec<u32> {
     let mut hard = Vec::new();
     for bit in 0..32 {

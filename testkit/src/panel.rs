@@ -1,8 +1,8 @@
 //! What is drawn, on any `DrawTarget` of 16-bit colours: no heap, no operating system, no panic.
 //!
-//! A firmware takes this folder as it is, with the renderer beside it, and gives its driver's
-//! display for the target; the firmware of this repository builds it for its cores. All that can
-//! fail here is the target, whose error is passed on, and a scene of values that are not accepted.
+//! Copy this folder into your firmware, with the renderer beside it, and pass your driver's display
+//! as the target. This repository's firmware builds it for its cores. Only two things can fail: the
+//! target, whose error is passed on, and a scene with invalid values.
 
 pub mod discs;
 pub mod picture;

@@ -1,5 +1,4 @@
-//! The promises of every map in every arithmetic at one sample, and at points that no sample has
-//! given.
+//! The promises of every map in every arithmetic at one sample, and at arbitrary points.
 
 use crate::arithmetics::{EachArithmetic, Exponent, Number, Tested};
 use crate::contract::contract;
@@ -86,8 +85,8 @@ impl<A: Tested> MapVisitor<A> for Promises {
     }
 }
 
-/// The contract of each map, against the textbook's formula in f64; of f64 that formula cannot tell
-/// the error.
+/// The contract of each map, against the textbook's formula in f64, which is not accurate enough to
+/// judge f64.
 impl<A: Tested> EachMap<A> for Promises {
     fn each<const D: usize, M: Invert<Point = [A::Real; D]>>(
         &mut self,
@@ -133,8 +132,7 @@ impl EachArithmetic for AtSample {
     }
 }
 
-/// Points and directions that no sample has given: inverses are in the square and densities are
-/// numbers.
+/// Arbitrary points and directions: inverses are in the square and densities are numbers.
 pub struct Total {
     pub numbers: [f64; 3],
     pub exponent: f64,

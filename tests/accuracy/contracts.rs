@@ -1,7 +1,7 @@
 //! Contracts from both sides, over hard coordinates, random ones and short and long rings.
 //!
-//! The reference is the textbook's formula in f64 (`reference.rs`); for f64 it is the table of mpmath values.
-//! A bound that is twice the largest error found is stale and fails.
+//! The reference is the textbook's formula in f64 (`reference.rs`); for f64 it is the table of
+//! mpmath values. A bound that is twice the largest error found is stale and fails.
 
 use hemidisc::Invert;
 use hemidisc::sequence::Random;
@@ -60,10 +60,12 @@ fn points() -> Vec<[u32; 2]> {
     points
 }
 
-/// The worst densities and inverses: an exponent and coordinates near the rim. The first two are the densities of
-/// 70 million for fast f32 and of 100 million for libm f32, each climbed from until nothing near was worse. The third is that of `micromath`: the direction that it makes longest, by 1.0e-3,
-/// where the logarithm of the density is the largest multiple of that, as near to the rim as can be, with
-/// s^2 just below the 1/2 from which on the density is by z. The fourth is its inverse, of 60 million.
+/// The worst densities and inverses: an exponent and coordinates near the rim. The first two have
+/// the worst densities of 70 million samples for fast f32 and 100 million for libm f32, each then
+/// climbed to a local maximum. The third has the worst density of `micromath`. Its direction there
+/// is the longest, by 1.0e-3, and the log of the density is the largest multiple of that. It is as
+/// near to the rim as s^2 just below 1/2 allows, from which on the density is by z. The fourth has
+/// its worst inverse, of 60 million.
 const WITNESSES: [(f32, [u32; 2]); 4] = [
     (116.567_49, [0x067b_e2f2, 0xffff_ffff]),
     (105.683_73, [0x38a2_1c26, 0xffff_fff9]),
@@ -71,7 +73,7 @@ const WITNESSES: [(f32, [u32; 2]); 4] = [
     (56.713_493, [0x6164_12ea, 0xffff_fff6]),
 ];
 
-/// For all but f64, of which the formulas in f64 cannot tell the error.
+/// For all but f64, which the formulas in f64 are not accurate enough to judge.
 fn holds_its_contract<A: Tested>() {
     let rows = || CONTRACTS.iter().filter(|row| row.arithmetic == A::NAME);
     assert_eq!(rows().count(), 4, "{}: contracts", A::NAME);

@@ -1,6 +1,6 @@
 //! Hard cases against mpmath (tests/derive/maps.py): corners, axes, diagonals, both outer rings and
-//! the last coordinates, for exponents from -0.9 to 3e38, in every arithmetic. An arithmetic that reads 16
-//! bits of a coordinate has a table of its own.
+//! the last coordinates, for exponents from -0.9 to 3e38, in every arithmetic. An arithmetic that
+//! reads 16 bits of a coordinate has a table of its own.
 
 use hemidisc::invariant::{self, Exact};
 use hemidisc::{Invert, LibmF32, LibmF64};
@@ -84,7 +84,7 @@ fn is_within_its_contract<A: Tested>() {
         assert!(A::Parameter::exactly(e).is_some(), "{}: e = {e}", A::NAME);
         assert!(exponents.contains(format!("{:016x}", e.to_bits()).as_str()), "e = {e}");
     }
-    // Other arithmetics have more points than these to find their largest errors.
+    // The other arithmetics find their largest errors over more points than these.
     let rows = CONTRACTS.iter().filter(|row| row.arithmetic == A::NAME);
     for contract in rows.filter(|row| row.unit < 0.5_f64.powi(40)) {
         let found = check.found[contract.map];

@@ -19,8 +19,8 @@ fn arriving(sine: f64) -> ([f64; 3], [f64; 3]) {
     ([sine, 0.0, -cosine], [sine, 0.0, cosine])
 }
 
-/// Straight down nothing is below: the mean cosine to the mirror direction is (e + 1) / (e + 2), for any policy
-/// the same sample.
+/// Straight down nothing is below: the mean cosine to the mirror direction is (e + 1) / (e + 2),
+/// for any policy the same sample.
 fn the_mean_cosine_is_that_of_the_lobe<A: Float>() {
     for e in [0.5, 1.0, 10.0, 1000.0] {
         for below in POLICIES {
@@ -35,8 +35,8 @@ fn the_mean_cosine_is_that_of_the_lobe<A: Float>() {
     }
 }
 
-/// At a grazing angle: what is rejected is what has no weight; flipping leaves nothing below; and a density
-/// integrates over the upper half to what its policy keeps.
+/// At a grazing angle: what is rejected is what has no weight; flipping leaves nothing below; and a
+/// density integrates over the upper half to what its policy keeps.
 fn energy_is_accounted_for<A: Float>() {
     for (e, sine) in [(1.0, 0.9), (20.0, 0.98), (5.0, 1.0_f64)] {
         let (down, mirror) = arriving(sine);
@@ -81,8 +81,8 @@ fn energy_is_accounted_for<A: Float>() {
     }
 }
 
-/// At e = 1e8 a sample leaves the mirror direction by less than 7e-4: the least of 2^32 radii has the cosine
-/// 2^(-33 / (e + 1)), which is that of sqrt(66 ln 2 / e).
+/// At e = 1e8 a sample leaves the mirror direction by less than 7e-4: the least of 2^32 radii has
+/// the cosine 2^(-33 / (e + 1)), which is that of sqrt(66 ln 2 / e).
 fn a_very_sharp_lobe_is_a_mirror<A: Float>() {
     let (down, mirror) = arriving(0.6);
     for below in POLICIES {
@@ -98,7 +98,7 @@ fn a_very_sharp_lobe_is_a_mirror<A: Float>() {
     }
 }
 
-/// From below, the normal is the other one; along the surface, no sample is lost but by policy.
+/// From below, the opposite normal applies. Along the surface only the policy loses samples.
 fn both_sides_reflect<A: Float>() {
     let gloss = gloss::<A>(30.0, BelowHorizon::Flip);
     for i in 0..100 {

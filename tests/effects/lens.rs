@@ -30,8 +30,8 @@ fn the_blur_is_the_circle_of_confusion<A: Float>() {
     }
 }
 
-/// A lens of radius 0 is a pinhole to the last bit, whatever the aperture; so is one in focus at infinity but for
-/// where its rays begin.
+/// A lens of radius 0 is a pinhole to the last bit, for any aperture. So is one in focus at
+/// infinity, except for the origins of its rays.
 fn a_pinhole_is_exact<A: Float>() {
     let ahead = [A::real(0.3), A::real(-0.7)];
     let round = ThinLens::new(Concentric::<A>::new(), A::Real::ZERO, A::real(2.0)).unwrap();
@@ -77,7 +77,7 @@ fn bad_lenses_are_refused<A: Float>() {
     }
     let pinhole = lens(0.0, 1.0).unwrap();
     assert_eq!(pinhole.circle_of_confusion(A::Real::MAX), A::Real::ZERO);
-    // A ray's slope, r / f, has to be a number.
+    // A ray's slope, r / f, must be finite.
     let least = A::Real::ONE / A::Real::MAX;
     let refused = ThinLens::new(Concentric::<A>::new(), A::Real::FOUR, least);
     assert_eq!(refused, Err(Error::Distance { value: least.into() }));

@@ -20,8 +20,9 @@ fn irradiance<A: Float>(light: &DiscLight<A>, offset: f64, uv: [u32; 2]) -> f64 
     sample.weight.into() * light.area().into() * cosine.max(0.0)
 }
 
-/// On a parallel receiver at an offset a from the axis: pi/2 (1 - (a^2 + h^2 - r^2) / sqrt((a^2 + h^2 + r^2)^2 -
-/// 4 a^2 r^2)), which on the axis is pi r^2 / (h^2 + r^2).
+/// On a parallel receiver at an offset a from the axis: pi/2
+/// (1 - (a^2 + h^2 - r^2) / sqrt((a^2 + h^2 + r^2)^2 - 4 a^2 r^2)), which on the axis is pi
+/// r^2 / (h^2 + r^2).
 fn irradiance_is_that_of_the_closed_form<A: Float>() {
     for (offset, height, radius) in
         [(0.0, 1.0, 0.5), (0.0, 10.0, 1.0), (0.0, 0.25, 1.0), (1.0, 1.0, 0.5), (2.0, 0.5, 1.0_f64)]
@@ -46,7 +47,7 @@ fn densities_are_per_steradian<A: Float>() {
         let sample = light.sample(receiver, SobolOwen::new(8).at(i));
         let [found, exact]: [f64; 2] =
             wide([light.density(receiver, sample.direction), sample.density]);
-        // At the rim rounding decides whether a direction meets the light.
+        // At the rim rounding decides whether a direction hits the light.
         let [x, y, _]: [f64; 3] = wide(sample.point);
         if x.hypot(y) < 0.8 * (1.0 - 4.0 * A::EPS) {
             assert_near(found / exact, 1.0, 40.0 * A::EPS, "density");
@@ -58,7 +59,7 @@ fn densities_are_per_steradian<A: Float>() {
     assert_near(light.area_density().into(), 1.0 / (PI * 0.64), A::EPS, "area");
 }
 
-/// One side only, or both: never in its plane, never a number that is none.
+/// One side only, or both: never in its plane, and never NaN.
 fn no_light_where_none_goes<A: Float>() {
     let one_sided = lamp::<A>(1.0, 0.5);
     let both = one_sided.two_sided();
@@ -81,7 +82,7 @@ fn no_light_where_none_goes<A: Float>() {
                 assert!(again.is_finite() && (again == 0.0 || lit > 0.0), "{again}");
             }
         }
-        // At the very point, and too far for the number type.
+        // At the very point, and too far away for the number type.
         let point = both.sample(A::vector([0.0; 3]), uv).point;
         let far = [A::Real::MAX, A::Real::MAX, A::Real::ZERO];
         for receiver in [point, far] {
@@ -92,8 +93,8 @@ fn no_light_where_none_goes<A: Float>() {
     }
 }
 
-/// A receiver comes as near to a point light as numbers go: weights stay finite, and where the square of the
-/// distance has no room they are 0.
+/// A receiver as near to a point light as numbers allow: weights stay finite, and are 0 where the
+/// squared distance underflows.
 fn nearness_has_an_end<A: Float>() {
     let light = lamp::<A>(0.0, 0.0);
     let (mut distance, mut lit) = (A::Real::ONE, 0);
@@ -115,7 +116,7 @@ fn nearness_has_an_end<A: Float>() {
     assert!(lit >= 63, "{lit}");
 }
 
-/// A light of radius 0 is a point: cos / d^2, whatever the coordinates, and no direction meets it.
+/// A light of radius 0 is a point: cos / d^2 for any coordinates, and no direction hits it.
 fn a_point_light_is_exact<A: Float>() {
     let light = lamp::<A>(2.0, 0.0);
     let receiver = A::vector([1.5, 0.0, 0.0]);
@@ -130,7 +131,7 @@ fn a_point_light_is_exact<A: Float>() {
     assert_eq!(light.area().into(), 0.0);
 }
 
-/// As large as can be: the area is a number, and so is what is seen of the light.
+/// The largest light: its area and its samples are finite.
 fn the_largest_light_is_finite<A: Float>() {
     let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
     let most: f64 = A::Real::MAX.into();
@@ -144,15 +145,15 @@ fn the_largest_light_is_finite<A: Float>() {
         assert_eq!(weight > 0.0, density > 0.0);
         assert!(sample.point.into_iter().all(|x| x.into().is_finite()));
     }
-    // Its rim would be nowhere.
+    // Its rim would overflow.
     let found = DiscLight::<A>::new([A::Real::MAX; 3], up, A::Real::ONE);
     assert!(found.is_ok());
     let found = DiscLight::<A>::new([A::Real::MAX; 3], up, largest + largest);
     assert!(matches!(found, Err(Error::Radius { .. })));
 }
 
-/// However a light is turned and wherever it is, a receiver in its plane gets nothing, as rounding may have it on
-/// either side; one that is off by more than coordinates round gets what it should.
+/// For any light, a receiver in its plane gets nothing, since rounding may put it on either side.
+/// One that is off by more than the rounding error gets the right weight.
 fn a_plane_is_as_thick_as_coordinates_round<A: Float>() {
     for (normal, place) in [
         ([0.3, -0.8, 0.5], [0.0, 0.0, 0.0]),

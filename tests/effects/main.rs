@@ -1,6 +1,8 @@
-//! The effects against closed forms and where their geometry degenerates, in every arithmetic of floats.
+//! The effects against closed forms and where their geometry degenerates, in every arithmetic of
+//! floats.
 //!
-//! Means are of 4096 scrambled Sobol points, and in one case of random ones, within what chance allows.
+//! Means are of 4096 scrambled Sobol points, and in one case of random ones, within what chance
+//! allows.
 #![cfg(all(feature = "libm", feature = "micromath"))]
 
 mod glossy;
@@ -15,7 +17,7 @@ use hemidisc::sequence::{Sequence, SobolOwen};
 /// Points of a mean.
 const COUNT: u32 = 4096;
 
-/// An arithmetic of floats with what its results are good to.
+/// An arithmetic of floats with the accuracy of its results.
 trait Float: Root {
     const EPS: f64;
 
@@ -87,7 +89,7 @@ fn mean(sequence: impl Sequence, value: impl Fn([u32; 2]) -> f64) -> [f64; 2] {
     [mean, (variance / n).sqrt()]
 }
 
-/// Fails for a value that is not within `tolerance` of `exact`, or not a number.
+/// Fails for a value that is NaN or not within `tolerance` of `exact`.
 #[track_caller]
 fn assert_near(found: f64, exact: f64, tolerance: f64, what: &str) {
     assert!((found - exact).abs() <= tolerance, "{what}: {found}, not {exact} within {tolerance}");

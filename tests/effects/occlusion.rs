@@ -31,7 +31,8 @@ fn beside_a_wall<A: Float>() {
     }
 }
 
-/// Within a reach R an endless, high wall at d hides what has x > c = d / R: (acos c - c sqrt(1 - c^2)) / pi.
+/// Within a reach R an endless, high wall at d hides what has x > c = d / R: (acos c - c
+/// sqrt(1 - c^2)) / pi.
 fn within_a_reach<A: Float>() {
     for c in [0.0, 0.25, 0.7, 0.99_f64] {
         let wall = |[x, ..]: [f64; 3]| (x > 0.0).then(|| c / x);

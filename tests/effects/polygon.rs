@@ -8,8 +8,9 @@ use hemidisc::effect::Polygon;
 use hemidisc::sequence::SobolOwen;
 use std::f64::consts::{PI, TAU};
 
-/// Points of a polygon with a corner at `turns` (which is 6e-11 short of the circle): within the disc and every side, evenly over the blades and
-/// over the inner and outer half of their area, and found again from their place.
+/// Points of a polygon with a corner at `turns` (which is 6e-11 short of the circle): within the
+/// disc and every side, evenly over the blades and over the inner and outer half of their area, and
+/// found again from their place.
 fn check<A: Float, const N: usize>(turns: f64) {
     let polygon = Polygon::<A, N>::new((turns * 4_294_967_296.0) as u32);
     let (apothem, n) = ((PI / N as f64).cos(), N as f64);
@@ -43,7 +44,8 @@ fn check<A: Float, const N: usize>(turns: f64) {
     }
 }
 
-/// On the first side of a blade u is its smallest, which must not be rounded down into the blade before.
+/// On the first side of a blade u is its smallest, which must not be rounded down into the blade
+/// before.
 fn the_side_between_two_blades_is_found_again<A: Float>() {
     let polygon = Polygon::<A, 5>::new(0);
     for blade in 0..5_u64 {

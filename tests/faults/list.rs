@@ -7,7 +7,8 @@ pub struct Fault {
     /// Occurs once in the file.
     pub right: &'static str,
     pub wrong: &'static str,
-    /// Tests that fail: a test's file, or `lib`, and after `::` the test; of `corpus` the fuzz target.
+    /// Tests that fail: a test's file, or `lib`, and after `::` the test; of `corpus` the fuzz
+    /// target.
     pub caught_by: &'static [&'static str],
 }
 

@@ -1,7 +1,9 @@
-//! Mutation: each fault of `list.rs`, one line of `src`, is put in alone and must be caught by the tests that the list names.
+//! Mutation: each fault of `list.rs`, one line of `src`, is put in alone and must be caught by the
+//! tests that the list names.
 //!
-//! A plain run only checks that the list still fits the source. To put the faults in, in a copy of the tree, all of them
-//! or those whose text contains a word; the seconds of the table that it prints include the build:
+//! A plain run only checks that the list still fits the source. To put the faults in, in a copy of
+//! the tree, all of them or those whose text contains a word; the seconds of the table that it
+//! prints include the build:
 //!
 //!     bash .ci/run faults
 //!     HEMIDISC_FAULTS=rounding cargo test --test faults -- --nocapture
@@ -94,7 +96,7 @@ fn failures(tree: &Path, fault: &Fault) -> BTreeSet<String> {
         cargo.envs([("CARGO_PROFILE_TEST_OPT_LEVEL", "0"), ("CARGO_PROFILE_TEST_DEBUG", "0")]);
         let output = cargo.output().unwrap();
         let text = String::from_utf8_lossy(&output.stdout);
-        // A fault that does not compile would be caught by anything.
+        // Any test would catch a fault that does not compile.
         assert!(text.contains("test result:"), "{}", String::from_utf8_lossy(&output.stderr));
         let lines = text.lines().filter_map(|line| line.strip_suffix(" ... FAILED"));
         failed.extend(

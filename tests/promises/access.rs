@@ -1,4 +1,4 @@
-//! Every way to a point gives the same point: `at`, `point`, `iter` and `block`. Sets repeat.
+//! Every way to a point gives the same point: both `at`, `iter` and `block`. Sets repeat.
 
 use hemidisc::{
     Domain, Error,
@@ -87,7 +87,7 @@ fn stored() {
     }
 }
 
-/// The inherent `at`, which constants use, is the trait's `point`, which generic code uses.
+/// The inherent `at`, which constants use, gives the point of the trait's, which generic code uses.
 #[test]
 fn at_is_point() -> Result<(), Error> {
     macro_rules! assert_at_is_point {

@@ -17,9 +17,10 @@ fn filled(count: u32, pair: impl Fn(u32) -> [u32; 2]) -> u32 {
     cells.count_ones()
 }
 
-/// Pairs that share an order leave 12 of 16 cells empty (DESIGN.md, decision 10). Siblings fill as
-/// many as 4 x 4 random permutations of a binary tree do, 16 (1 - (3/4)^(n/4)) for n points; over
-/// 100,000 pairs 10.9, 14.4 and 15.8 were measured, and all 16 cells in 3-9, 43-47 and 92-93 % of them.
+/// Pairs that share an order leave 12 of 16 cells empty (B. Burley 2020, section 5). Siblings fill
+/// as many as 4 x 4 random permutations of a binary tree do, 16 (1 - (3/4)^(n/4)) for n points;
+/// over 100,000 pairs 10.9, 14.4 and 15.8 were measured, and all 16 cells in 3-9, 43-47 and 92-93 %
+/// of them.
 #[test]
 fn siblings_pair_as_if_independent() {
     let (sobol, scrambled) = (Sobol::new(0), Sobol::new(7));

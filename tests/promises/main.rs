@@ -1,5 +1,5 @@
-//! Proves what each sequence promises, exactly and on integers, and that what is called random
-//! cannot be told from uniform noise by chi-square tests of 10^4 to 10^6 draws.
+//! Proves what each sequence promises, exactly and on integers. Chi-square tests of 10^4 to 10^6
+//! draws do not distinguish the random ones from uniform noise.
 //!
 //! | file | proves |
 //! | --- | --- |
@@ -8,7 +8,7 @@
 //! | `permutation` | `permute` is a bijection for every length, and reaches every permutation |
 //! | `domains` | streams of sibling domains are independent; a shuffle keeps its set |
 //! | `noise` | random points are uniform and uncorrelated; R2 has the full period, low discrepancy |
-//! | `access` | `at`, `point`, `iter` and `block` agree; sets repeat |
+//! | `access` | both `at`, `iter` and `block` agree; sets repeat |
 //! | `errors` | every constructor says what was wrong and what is accepted |
 //!
 //! Stratum c of n holds the cells k with floor(k n / 2^32) = c.

@@ -83,8 +83,8 @@ fn random_bits_are_independent() {
     }
 }
 
-/// Each axis is a bijection of the index, for its step is odd: an inverse of the step gives the index
-/// back.
+/// Each axis is a bijection of the index, because its step is odd: an inverse of the step gives the
+/// index back.
 #[test]
 fn r2_has_the_full_period() {
     for seed in SEEDS {

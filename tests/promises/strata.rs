@@ -191,8 +191,8 @@ fn jitter_is_uniform() {
     }
 }
 
-/// Over seeds, each arrangement that the promises allow comes equally often: 3 x 4 cells, 12 x 12 fine
-/// ones.
+/// Over seeds, each arrangement that the promises allow comes equally often: 3 x 4 cells, 12 x 12
+/// fine ones.
 #[test]
 fn arrangements_are_random() {
     let fine = |[u, v]: [u32; 2]| [stratum(u, 12), stratum(v, 12)];

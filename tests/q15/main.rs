@@ -1,7 +1,8 @@
-//! Q15 over all 2^32 pairs of its coordinates, for every map and the lobes of e = 1, 10 and 100: on the disc in
-//! integers, z at least 1 LSB, mirror images, errors within the contract, which is not stale.
+//! Q15 over all 2^32 pairs of its coordinates, for every map and the lobes of e = 1, 10 and 100: on
+//! the disc in integers, z at least 1 LSB, mirror images, errors within the contract, which is not
+//! stale.
 //!
-//! A plain run takes the rows of radii where trouble lives and a sample of the others; all of them:
+//! A plain run takes the hard radii and a sample of the others; all of them:
 //!
 //!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --all-features --test q15 -- --nocapture
 #![cfg(feature = "fixed-point")]
@@ -248,7 +249,8 @@ fn sweep<A: Arithmetic<Real = Q15, Parameter = FixedExponent>>(over: &'static st
     let mut found = Vec::new();
     let mut sweep = Sweep { over, found: &mut found, exponent: f64::NAN };
     maps::<A>(&mut sweep);
-    // e = 0 is the uniform lobe by the longer way: with the sample of a plain run it is worth its time.
+    // e = 0 is the uniform lobe by the longer way: with the sample of a plain run it is worth its
+    // time.
     let full = std::env::var_os("HEMIDISC_EXHAUSTIVE").is_some();
     for e in [0, 1, 10, 100].into_iter().skip(usize::from(full)) {
         sweep.exponent = e.into();
@@ -287,7 +289,7 @@ fn every_coordinate_over_the_divided_concentric() {
     sweep::<Q15Div>("concentric");
 }
 
-/// What comes out where 16 bits cannot hold the answer: the pole and 16 LSB about it, each to half an LSB.
+/// The result where 16 bits are too few: the pole and 16 LSB about it, each to half an LSB.
 #[test]
 fn little_is_left_of_the_lobe_at_e_1e8() {
     let exponent = FixedExponent::from(100_000_000);

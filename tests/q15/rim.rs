@@ -5,8 +5,8 @@ use hemidisc::arithmetic::{Arithmetic, FixedExponent};
 use hemidisc::catalogue::{MapVisitor, power_maps};
 use hemidisc::{Invert, Q15, Q15Div};
 
-/// Where e is small sin theta is nearly 1 over a wide rim, and a unit too much leaves the disc. All rings from
-/// r = 0.95 or so on; a plain run takes the last 32 and a sample.
+/// Where e is small sin theta is nearly 1 over a wide rim, and a unit too much leaves the disc. All
+/// rings from r = 0.95 or so on; a plain run takes the last 32 and a sample.
 struct Rim(f64);
 
 impl Rim {

@@ -16,9 +16,10 @@ pub(crate) struct Case<'a> {
     pub(crate) lobe: Option<f64>,
     /// Whether u is the angle and v the squared radius, so that cells of both are strata.
     pub(crate) polar: bool,
-    /// The error of the density at a given point, relative; in fixed point in parts of the peak, and 1 LSB.
+    /// The error of the density at a given point, relative; in fixed point in parts of the peak,
+    /// and 1 LSB.
     pub(crate) density_error: f64,
-    /// Whether numbers are counts of LSBs, so that what is small is coarse.
+    /// Whether numbers are counts of LSBs, so that small ones are coarse.
     pub(crate) fixed: bool,
     contract: Contract,
     pub(crate) sample: &'a dyn Fn([u32; 2]) -> [f64; 3],
@@ -34,16 +35,17 @@ impl Case<'_> {
         self.contract.position * self.contract.unit
     }
 
-    /// How far a point may be off in widths of a lobe of exponent `e`, whose width is about 1 / sqrt(e + 1);
-    /// an error that is relative to theta is so to the width. On the disc, in radii.
+    /// How far a point may be off in widths of a lobe of exponent `e`, whose width is about
+    /// 1 / sqrt(e + 1); an error that is relative to theta is so to the width. On the disc, in
+    /// radii.
     pub(crate) fn shift(&self, e: f64) -> f64 {
         let Contract { relative, position, norm, theta, unit, .. } = self.contract;
         let error = if self.lobe.is_some() { theta } else { norm.max(position) };
         error * unit * if relative { 1.0 } else { (e + 1.0).sqrt() }
     }
 
-    /// The error of a density at a given point, in parts of the peak of a lobe of exponent `e`: fixed point
-    /// has also rounded the point.
+    /// The error of a density at a given point, in parts of the peak of a lobe of exponent `e`:
+    /// fixed point has also rounded the point.
     pub(crate) fn density_error(&self, e: f64) -> f64 {
         self.density_error + if self.fixed { self.shift(e) } else { 0.0 }
     }
@@ -54,7 +56,7 @@ struct Cases<'a> {
     exponent: f64,
 }
 
-/// Per unit of area or of solid angle, whatever the arithmetic counts in.
+/// Per unit of area or of solid angle, also for an arithmetic with relative densities.
 fn scale<A: Arithmetic>(kind: &str, e: f64) -> f64 {
     if A::ABSOLUTE_DENSITY { 1.0 } else { peak(kind, e) }
 }

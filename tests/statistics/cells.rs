@@ -15,7 +15,7 @@ fn turn([x, y, _]: [f64; 3]) -> f64 {
     if turn < 0.0 { turn + 1.0 } else { turn }
 }
 
-/// The fraction of points nearer to the axis: by x and y, and by z where it tells.
+/// The fraction of points nearer to the axis: by x and y, and by z where it is accurate enough.
 fn quantiles(case: &Case, [x, y, z]: [f64; 3]) -> [f64; 2] {
     let s2 = x * x + y * y;
     match case.lobe {
@@ -25,7 +25,8 @@ fn quantiles(case: &Case, [x, y, z]: [f64; 3]) -> [f64; 2] {
     }
 }
 
-/// Whether z tells the fraction to well under a cell: near the pole that of fixed point has few digits.
+/// Whether z gives the fraction to well under a cell: near the pole that of fixed point has few
+/// digits.
 fn z_tells(case: &Case) -> bool {
     !case.fixed || case.lobe.is_none_or(|e| (e + 1.0) * case.position() < 2e-3)
 }
@@ -64,17 +65,18 @@ fn fraction_error(case: &Case, by: &str) -> f64 {
     if by == "z" && case.fixed && case.lobe.is_some() {
         return (e + 1.0) * case.position();
     }
-    // At z = 1/16, the last edge of a uniform lobe, x and y tell z 16 times worse; on the whole twice.
+    // At z = 1/16, the last edge of a uniform lobe, z from x and y is 16 times less accurate;
+    // overall twice.
     let horizon = if by == "x, y" && case.lobe.is_some_and(|e| e < 0.5) { 2.2 } else { 1.0 };
     case.shift(e) * horizon
 }
 
-/// Chance gives a statistic of 255 or so. Over the polar map the cells are elementary intervals, so only
-/// a point that z rounds across an edge counts (0.08 at e = 1000 in f32); over the concentric map
-/// their edges cut elementary intervals (3). A coarse arithmetic moves points across edges: with an error d
-/// of the fraction the 2^22 d points next to the 32 edges may change cells, at 1/128 each, and all of one
-/// side of an edge are 4096 d of a cell's 256 (measured with `micromath`: 2 by polar, 5 by concentric, 71 by x
-/// and y for e = 0).
+/// Chance gives a statistic of 255 or so. Over the polar map the cells are elementary intervals, so
+/// only a point that z rounds across an edge counts (0.08 at e = 1000 in f32); over the concentric
+/// map their edges cut elementary intervals (3). A coarse arithmetic moves points across edges:
+/// with an error d of the fraction the 2^22 d points next to the 32 edges may change cells, at
+/// 1/128 each, and all of one side of an edge are 4096 d of a cell's 256 (measured with
+/// `micromath`: 2 by polar, 5 by concentric, 71 by x and y for e = 0).
 #[test]
 fn scrambled_points_fill_cells_far_more_evenly() {
     every_case(|case| {

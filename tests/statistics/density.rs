@@ -57,8 +57,8 @@ fn about(case: &Case, point: impl Fn(f64) -> [f64; 3]) -> f64 {
     angles().map(|angle| (case.density)(point(angle))).sum::<f64>() / 16.0
 }
 
-/// On the disc over r^2, area pi dr^2 a turn. On the hemisphere over z = w^2, solid angle 2 pi dz a turn:
-/// the density is then a polynomial in w for every multiple of 1/2 of the exponent.
+/// On the disc over r^2, area pi dr^2 a turn. On the hemisphere over z = w^2, solid angle 2 pi dz a
+/// turn: the density is then a polynomial in w for every multiple of 1/2 of the exponent.
 #[test]
 fn densities_integrate_to_1() {
     every_case(|case| {
@@ -90,8 +90,8 @@ fn densities_are_those_of_the_formulas() {
             let expected = match case.lobe {
                 None => [1.0 / PI; 2],
                 Some(e) => {
-                    // z is as exact near the horizon as x and y are near the pole, and a coarse point is
-                    // not of unit length: the density is that of either.
+                    // z is as exact near the horizon as x and y are near the pole, and a coarse
+                    // point is not of unit length: the density is that of either.
                     let s2 = point[0] * point[0] + point[1] * point[1];
                     let logs = [(-s2).ln_1p() / 2.0, point[2].ln()];
                     logs.map(|log| (e + 1.0) * (e * log).exp() / TAU)
@@ -142,15 +142,15 @@ fn densities_are_0_outside() {
     });
 }
 
-/// The bounds are about twice what Owen-scrambled points were measured to leave. Random points would
-/// leave a hundred times as much.
+/// The bounds are about twice what Owen-scrambled points were measured to leave. Random points
+/// would leave a hundred times as much.
 fn mean(case: &Case, function: impl Fn([f64; 3]) -> f64) -> f64 {
     let points = SobolOwen::new(7);
     (0..COUNT).map(|i| function((case.sample)(points.at(i)))).sum::<f64>() / f64::from(COUNT)
 }
 
-/// The mean of 1 / density is the measure of the support: pi of the disc, 2 pi of the hemisphere. Its
-/// variance is infinite for e >= 1, and there another lobe's density takes the place of the 1.
+/// The mean of 1 / density is the measure of the support: pi of the disc, 2 pi of the hemisphere.
+/// Its variance is infinite for e >= 1, and there another lobe's density takes the place of the 1.
 #[test]
 fn samples_have_the_density() {
     every_case(|case| {

@@ -1,5 +1,6 @@
 //! Every map distributes points as it says: in equally likely cells, by its density, and by its
-//! moments, with random points as evenly as chance and with Owen-scrambled Sobol points far more so.
+//! moments, with random points as evenly as chance and with Owen-scrambled Sobol points far more
+//! so.
 //!
 //! | file | proves |
 //! | --- | --- |

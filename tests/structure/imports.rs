@@ -1,8 +1,8 @@
 //! The files of a crate, and which of them imports which.
 //!
-//! An import is a `use` or a path from `crate`, `super` or `self`. It leads to the file that defines
-//! what it names: re-exports are followed. A module's re-export of what is below it is no import, nor
-//! is what tests alone have.
+//! An import is a `use` or a path from `crate`, `super` or `self`. It leads to the file that
+//! defines what it names: re-exports are followed. A module's re-export of what is below it is no
+//! import, nor is what tests alone have.
 
 use crate::tokens::{Token, tokens};
 use std::collections::{BTreeMap, BTreeSet};

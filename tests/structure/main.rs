@@ -1,8 +1,8 @@
-//! The repository's structure: no `#[path]` leads out of its tree, and no files import each other in
-//! a circle.
+//! The repository's structure: no `#[path]` leads out of its tree, and no files import each other
+//! in a circle.
 //!
-//! A file is read after those that it imports, so a circle has no first file. Both checks are shown to
-//! fail, on trees in memory.
+//! A file is read after those that it imports, so a circle has no first file. Both checks are shown
+//! to fail, on trees in memory.
 
 mod imports;
 mod tokens;

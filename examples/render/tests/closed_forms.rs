@@ -1,4 +1,5 @@
-//! Pictures whose pixels are known: what is lit, what is hidden, what is reflected and where it is seen.
+//! Pictures whose pixels are known: what is lit, what is hidden, what is reflected and where it is
+//! seen.
 
 use super::{SMALL, pixels, rendered};
 use examples::render::description::Scene;
@@ -49,7 +50,8 @@ fn a_reflection_is_as_bright_as_what_it_shows() {
     }
 }
 
-/// Under a sphere of radius r at a height h the floor is open to 1 - (r / h)^2, as long as the sphere is in reach.
+/// Under a sphere of radius r at a height h the floor is open to 1 - (r / h)^2, as long as the
+/// sphere is in reach.
 #[test]
 fn occlusion_hides_what_is_above() {
     let things = format!(
@@ -97,7 +99,8 @@ fn right_is_right_and_up_is_up() {
     assert!(lit.iter().all(|n| n % width >= width / 2 && n / width < height / 2), "{lit:?}");
 }
 
-/// A lamp at a distance z is blurred to a disc of radius r |1 / z - 1 / f| in the image plane z = 1.
+/// A lamp at a distance z is blurred to a disc of radius r |1 / z - 1 / f| in the image plane
+/// z = 1.
 #[test]
 fn a_blur_is_as_wide_as_the_lens_says() {
     const SIDE: u32 = 64;
@@ -116,7 +119,8 @@ fn a_blur_is_as_wide_as_the_lens_says() {
         widest = widest.max(x.hypot(y));
     }
     let radius = 0.2 * (1.0 / 2.0 - 1.0 / 4.0);
-    // A disc's mean square is r^2 / 2; to it come that of the lamp, 0.02 wide there, and a sixth of a square pixel.
+    // A disc's mean square is r^2 / 2; to it come that of the lamp, 0.02 wide there, and a sixth of
+    // a square pixel.
     let square = radius * radius + 0.02 * 0.02 + pixel * pixel / 3.0;
     near((2.0 * second / total).sqrt(), square.sqrt(), 0.01 * radius);
     assert!(widest < radius + 0.02 + pixel, "{widest}");

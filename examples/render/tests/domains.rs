@@ -17,7 +17,8 @@ impl Points for Noted {
     }
 }
 
-/// The filter's, those of the four effects, and those of the light and of occlusion where the reflection ends.
+/// The filter's, those of the four effects, and those of the light and of occlusion where the
+/// reflection ends.
 #[test]
 fn each_use_of_points_has_a_domain_of_its_own() {
     let finish = Finish::Glossy([1.0; 3], Glossy::<LibmF64>::new(1e4, BelowHorizon::Flip).unwrap());

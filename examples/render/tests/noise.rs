@@ -8,8 +8,8 @@ use examples::render::sequence::Sequence;
 use hemidisc::FastF32;
 
 const SIZE: [u32; 2] = [480, 320];
-/// Pixels that are looked at are so far apart. A smaller picture has larger pixels, whose noise is that of what they
-/// cover more than that of the effect.
+/// The distance between sampled pixels. In a smaller picture pixels are larger, and their noise
+/// comes from the scene more than from the effect.
 const STEP: usize = 16;
 const SEEDS: u32 = 8;
 /// Squares, so that multi-jittered sets are whole.
@@ -67,8 +67,9 @@ fn noise_falls_as_it_should() {
             let variances = SAMPLES.map(|samples| variance(&scene, sequence, samples));
             let slope = slope(&variances);
             println!("{name} {sequence_name}: slope {slope:.3}, variances {variances:?}");
-            // Independent samples: -1. Two-dimensional strata, where a pixel's value is that of an edge through its
-            // lens or light: -3/2, and less where more than one pair of coordinates matters.
+            // Independent samples: -1. Two-dimensional strata, where a pixel's value is that of an
+            // edge through its lens or light: -3/2, and less where more than one pair of
+            // coordinates matters.
             let expected = if sequence_name == "random" { -1.12..-0.88 } else { -1.6..-1.2 };
             assert!(expected.contains(&slope), "{name} {sequence_name}: {slope}");
         }

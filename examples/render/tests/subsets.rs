@@ -80,7 +80,8 @@ fn a_light_of_radius_0_is_a_point() {
     }
 }
 
-/// All directions are within 7e-4 of the mirror's, which moves what is seen in the spheres by a part of a pixel.
+/// All directions are within 7e-4 of the mirror's, which moves what is seen in the spheres by a
+/// part of a pixel.
 #[test]
 fn a_lobe_of_1e8_is_a_mirror() {
     let mut scene = scene("still-life");
@@ -100,8 +101,8 @@ fn a_lobe_of_1e8_is_a_mirror() {
     }
 }
 
-/// A light that does not shine, an ambient light of no radiance and reflectance 0 add nothing, so that what is
-/// left shows whether the points of the other effects have changed.
+/// A light that does not shine, an ambient light of no radiance and reflectance 0 add nothing, so
+/// that what is left shows whether the points of the other effects have changed.
 #[test]
 fn an_effect_does_not_change_the_noise_of_another() {
     let black = Colour::default();

@@ -16,7 +16,8 @@ fn folder() -> TempDir {
     tempfile::tempdir().expect("a folder")
 }
 
-/// Status and standard error of an example that runs in a folder, with arguments that hold no spaces.
+/// Status and standard error of an example that runs in a folder, with arguments that hold no
+/// spaces.
 fn run(example: &str, folder: &Path, arguments: &str) -> (i32, String) {
     let mut command = Command::new(programs::program(example));
     let output = command.args(arguments.split_whitespace()).current_dir(folder).output();

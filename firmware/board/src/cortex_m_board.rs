@@ -49,7 +49,8 @@ pub fn known_loop(rounds: u32) {
 #[inline(always)]
 pub(crate) unsafe fn paint(word: u32, bytes: usize) -> usize {
     let top;
-    // SAFETY: as the caller says. It is one piece, so that the frame that the pointer ends is this one's.
+    // SAFETY: the caller's contract. It is one asm block, so that the pointer is the end of this
+    // function's frame.
     unsafe {
         asm!(
             "mov {top}, sp", "mov {at}, {top}",

@@ -1,8 +1,8 @@
 //! What talks to the machine: boot, output, the count of instructions, the depth of the stack.
 //!
-//! QEMU under `-icount shift=5` lets each instruction take 32 ns of the board's time. The Arm boards read it
-//! from SysTick, of 62.5 ns a tick (`microbit`, 16 MHz) or 40 ns (`mps2`, 25 MHz); RISC-V counts instructions
-//! itself.
+//! QEMU under `-icount shift=5` lets each instruction take 32 ns of the board's time. The Arm
+//! boards read it from SysTick, of 62.5 ns a tick (`microbit`, 16 MHz) or 40 ns (`mps2`, 25 MHz);
+//! RISC-V counts instructions itself.
 #![no_std]
 
 mod stack;

@@ -1,4 +1,5 @@
-//! The depth of the stack: what lies below it is painted, and afterwards the paint is looked for.
+//! The depth of the stack: the memory below it is painted, and the lowest overwritten byte found
+//! afterwards.
 
 use crate::board::paint;
 use core::ptr::read_volatile;
@@ -10,8 +11,8 @@ const PAINT: u32 = 0xdead_10cc;
 /// The deepest byte below this function's own frame that `f` wrote.
 #[inline(never)]
 pub fn depth(mut f: impl FnMut()) -> usize {
-    // SAFETY: the board's RAM goes down as far as this below the stack of the programs, and nothing is kept
-    // there.
+    // SAFETY: the board's RAM goes down as far as this below the stack of the programs, and nothing
+    // is kept there.
     let top = unsafe { paint(PAINT, PAINTED) };
     f();
     let mut address = top - PAINTED;

@@ -1,7 +1,8 @@
-//! A fill of a buffer by every map, every sequence and every peer: what a board counts, and what a linker sizes.
+//! A fill of a buffer by every map, every sequence and every peer: what a board counts, and what a
+//! linker sizes.
 //!
-//! Each is a function of its own under its path as a symbol, such as `map/disc/concentric/q15`: the programs
-//! call it, and an image linked with that symbol as its entry holds it and nothing else.
+//! Each is a function of its own under its path as a symbol, such as `map/disc/concentric/q15`: the
+//! programs call it, and an image linked with that symbol as its entry holds it and nothing else.
 //!
 //! | path | fill |
 //! | --- | --- |

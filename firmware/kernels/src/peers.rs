@@ -1,5 +1,5 @@
-//! The peers: the textbooks' formulas on `libm` and `micromath`, and the concentric map on the fixed-point
-//! sines of `idsp` and `cordic`.
+//! The peers: the textbooks' formulas on `libm` and `micromath`, and the concentric map on the
+//! fixed-point sines of `idsp` and `cordic`.
 
 use crate::Visitor;
 use fixed::types::{I3F13, I3F29};

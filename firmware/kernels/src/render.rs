@@ -1,5 +1,5 @@
-//! 256 pixels of a scene that calls for no effect, and of the same one with each alone and with all: what effects
-//! cost in instructions and in flash where they are, and that they cost nothing where they are not.
+//! 256 pixels of a scene without effects, with each alone and with all: the cost of used effects in
+//! instructions and flash, and that unused ones cost nothing.
 
 use crate::Visitor;
 use core::hint::black_box;
@@ -72,7 +72,7 @@ macro_rules! scenes {
     )*};
 }
 
-/// The plain scene by a renderer that never had an effect.
+/// The plain scene by a renderer without effects.
 macro_rules! bare {
     ($visitor:ident: $($name:literal $arithmetic:ident;)*) => {$(
         scene!($visitor, concat!("render/bare/", $name), |_none, rows| {

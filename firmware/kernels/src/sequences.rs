@@ -46,6 +46,6 @@ fn all(visitor: &mut impl Visitor) -> Result<(), Error> {
 }
 
 pub(crate) fn every(visitor: &mut impl Visitor) {
-    // An error leaves sequences out, which the report tells.
+    // An error leaves sequences out, which the report detects.
     let _ = all(visitor);
 }

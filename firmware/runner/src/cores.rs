@@ -8,8 +8,8 @@ pub struct Core {
     pub target: &'static str,
     pub qemu: &'static str,
     pub machine: &'static [&'static str],
-    /// `-icount shift`: an instruction takes 2^shift ns. The Arm boards read them off a timer, which wants them
-    /// longer than a tick; `minstret` counts them itself.
+    /// `-icount shift`: an instruction takes 2^shift ns. The Arm boards read them off a timer,
+    /// which wants them longer than a tick; `minstret` counts them itself.
     pub shift: u32,
     pub linker: &'static str,
     pub linker_arguments: &'static [&'static str],

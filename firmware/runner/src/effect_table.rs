@@ -1,4 +1,4 @@
-//! What each effect costs on a board where a scene calls for it, and where it does not.
+//! The cost of each effect on a board, used and unused.
 
 use crate::folders::root;
 use crate::report::{Record, Report};
@@ -9,7 +9,8 @@ use std::fs;
 const ARITHMETIC: &str = "fast-f32";
 const CORES: [&str; 2] = ["Cortex-M0", "Cortex-M4F"];
 
-/// Points drawn for effects and rays sent in a scene's whole picture, as the digests of every core say.
+/// Points drawn for effects and rays sent in a scene's whole picture, as the digests of every core
+/// say.
 fn tally(golden: &str, scene: &str) -> Result<[u64; 2]> {
     let start = format!("{ARITHMETIC} {scene} ");
     let line = golden.lines().find_map(|line| line.strip_prefix(&start));

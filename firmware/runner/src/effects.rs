@@ -1,4 +1,4 @@
-//! What an effect leaves in an image: its code where the scene calls for it, and nothing where it does not.
+//! What an effect leaves in an image: its code if the scene uses it, else nothing.
 
 use crate::images::{self, Image};
 use crate::{cores::Core, report::Record};
@@ -12,11 +12,12 @@ const EFFECTS: [(&str, &str); 4] = [
     ("glossy", "glossy"),
 ];
 
-/// Of flash and of instructions, by which a scene without effects may be above a renderer that never had one: it
-/// counts points and rays.
+/// The excess in flash and instructions that a scene without effects may have over the renderer
+/// without them: it counts points and rays.
 const ROOM: f64 = 1.05;
 
-/// An error for an effect in the image of a scene that does not call for it, and for one that is not there.
+/// An error for an effect in the image of a scene that does not call for it, and for one that is
+/// not there.
 pub fn check(path: &str, image: &Image) -> Result<()> {
     let Some(scene) = path.strip_prefix("render/").and_then(|rest| rest.split('/').next()) else {
         return Ok(());
@@ -43,7 +44,7 @@ pub fn shown_to_fail(core: &Core) -> Result<()> {
     Ok(())
 }
 
-/// A scene without effects costs what it does in a renderer that never had one.
+/// A scene without effects costs what it does in the renderer without them.
 pub fn cost_nothing_where_absent(records: &[Record]) -> Result<()> {
     let mut compared = 0;
     for plain in records.iter().filter(|record| record.scene.as_deref() == Some("plain")) {

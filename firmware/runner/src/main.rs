@@ -1,10 +1,11 @@
-//! Boots the programs on every core in QEMU, checks what they print, links every fill alone, and reports.
+//! Boots the programs on every core in QEMU, checks what they print, links every fill alone, and
+//! reports.
 //!
 //!     cargo run --manifest-path firmware/Cargo.toml --package runner
 //!
-//! Fails on a digest that is not the host's, on counts that differ between two runs, on a panic or a software
-//! float in an image that promises none, and on a committed table that a run with the same compiler does not
-//! give. Writes `target/firmware/report.json` and `report.md`.
+//! Fails on a digest that is not the host's, on counts that differ between two runs, on a panic or
+//! a software float in an image that promises none, and on a committed table that a run with the
+//! same compiler does not give. Writes `target/firmware/report.json` and `report.md`.
 
 mod cores;
 mod digests;
@@ -27,7 +28,8 @@ use std::process::ExitCode;
 /// Measures hemidisc on microcontroller cores in QEMU.
 #[derive(Parser)]
 struct Arguments {
-    /// Build the library with several sets of features, and `panel`, for every core; measure nothing.
+    /// Build the library with several sets of features, and `panel`, for every core; measure
+    /// nothing.
     #[arg(long)]
     library: bool,
     /// Write the tables into docs/firmware.md and README.md instead of comparing with them.

@@ -40,7 +40,8 @@ fn counts_once(core: &Core, program: &str) -> Result<Vec<Count>> {
     run_with(core, program, &["-icount", &shift])?.lines().map(parse).collect()
 }
 
-/// The counts of two runs of a program, which must be the same, after those of a loop of known length.
+/// The counts of two runs of a program, which must be the same, after those of a loop of known
+/// length.
 pub fn counts(core: &Core, program: &str) -> Result<Vec<Count>> {
     let mut counts = counts_once(core, program)?;
     for (first, second) in counts.iter().zip(counts_once(core, program)?) {

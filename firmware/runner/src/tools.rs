@@ -45,8 +45,8 @@ pub fn output(command: &mut Command) -> Result<String> {
     Ok(text.replace("\r\n", "\n"))
 }
 
-/// A cargo that has a `core` for the target: rustup's where the target is installed, else Debian's compiler and
-/// the source of its `core`.
+/// A cargo that has a `core` for the target: rustup's where the target is installed, else Debian's
+/// compiler and the source of its `core`.
 fn cargo(target: &str) -> Result<(Command, &'static [&'static str])> {
     let installed = output(Command::new("rustup").args(["target", "list", "--installed"]));
     if installed.is_ok_and(|targets| targets.lines().any(|line| line == target)) {
@@ -89,7 +89,8 @@ pub fn build(core: &Core, arguments: &[&str]) -> Result<()> {
     output(cargo.args(extra).args(["--target", core.target]).args(arguments)).map(drop)
 }
 
-/// The library, and what draws with it, build for cores without an operating system, an allocator or an FPU.
+/// The library, and what draws with it, build for cores without an operating system, an allocator
+/// or an FPU.
 pub fn build_library() -> Result<()> {
     for core in &CORES {
         for features in ["", "libm", "libm,micromath,fixed-point,bytemuck,heapless,rand_core,rand"]

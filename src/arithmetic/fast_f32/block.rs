@@ -1,10 +1,9 @@
 //! The kernels over a block of points, in passes.
 //!
 //! One point is a dependency chain of 40 to 130 operations. Out-of-order execution overlaps two or
-//! three such chains, but many short ones. So a block runs in passes, each over a part of the chain,
-//! with the values between them on the stack. On x86-64 that is 1.2 to 1.3 times as fast as one
-//! loop, and more for the power lobe. Where a pass needs what is cheap to form, such as a sign, it
-//! forms it again.
+//! three such chains, but many short ones. So a block is processed in passes, each over a part of
+//! the chain, with intermediate values on the stack. On x86-64 that is 1.2 to 1.3 times as fast as
+//! one loop, and more for the power lobe. A pass recomputes what is cheap, such as a sign.
 
 use super::disc::{FastDisc, root_to_1};
 use super::functions::{gaps, ln_complement, normal_sqrt};
@@ -79,7 +78,8 @@ pub(super) fn power<D: DiscKernel<Disc = FastDisc>>(
     at_distances::<D>(u, v, x, y);
 }
 
-/// x and y of the points, in the octant. The compiler leaves out what a pass does not use of a point.
+/// x and y of the points, in the octant. The compiler removes the parts of a point that a pass does
+/// not use.
 #[inline(always)]
 fn in_octant<D: DiscKernel<Disc = FastDisc>>(
     u: &Block,
@@ -96,7 +96,7 @@ fn in_octant<D: DiscKernel<Disc = FastDisc>>(
     less_gaps(x, y, &t);
 }
 
-/// Points in the directions of those of a disc map, at distances from the axis that are in x.
+/// Points in the directions of a disc map's points, at the distances from the axis in x.
 #[inline(always)]
 fn at_distances<D: DiscKernel<Disc = FastDisc>>(
     u: &Block,

@@ -1,10 +1,10 @@
-//! The disc kernels: both maps to an octant, and the octant to its place.
+//! The disc kernels: both maps to an octant, and the octant's placement.
 
 use super::functions::{gaps, normal_sqrt};
 use crate::coordinates::{Angle, fold, fold_angle};
 use crate::target::BRANCHES;
 
-/// A point of the disc, and how it came to its place from the octant 0 <= y <= x.
+/// A point of the disc, and its place relative to the octant 0 <= y <= x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FastDisc {
     /// As it is stored.
@@ -39,8 +39,8 @@ const fn centre(n: u32) -> f32 {
 
 /// (2k + 1) / 2^33 with some low bits of 2k + 1 cleared, correctly rounded.
 ///
-/// The halves of k are put where the mantissas of 2^7 and 2^-10 have these very bits, and the powers are taken
-/// away before the one addition that rounds: no conversion, which few vector units have for 32 bits.
+/// The halves of k become mantissa bits of 2^7 and 2^-10. Both powers are subtracted before the one
+/// addition that rounds. No conversion is needed, which few vector units have for 32 unsigned bits.
 #[inline(always)]
 const fn halves(k: u32, cleared: u32) -> f32 {
     let high = f32::from_bits(128_f32.to_bits() | k >> 16) - (128.0 + 1.0 / 1024.0);
@@ -57,8 +57,8 @@ const fn centre_nearest(k: u32) -> f32 {
 /// (2k + 1) / 2^33 toward zero.
 #[inline(always)]
 pub(super) const fn centre_down(k: u32) -> f32 {
-    // 24 bits are kept. Of the quotient by 2^24 the highest bit is where the first lost one is, which decides
-    // the rounding: without it, it is down.
+    // 24 bits are kept. The highest bit of the quotient by 2^24 is at the first lost bit, which
+    // decides the rounding: without it, down.
     halves(k, k >> 23)
 }
 
@@ -76,8 +76,8 @@ const fn exchanged(mask: u32, [a, b]: [f32; 2]) -> [f32; 2] {
 
 /// The next numbers toward zero of both, where they are within 2 eps of the circle or beyond it.
 ///
-/// The square of the length is computed to 5/4 eps, so a point left alone is inside. One outside is so
-/// by less than the step takes, which tests/fast_f32.rs proves on the rims.
+/// The square of the length is computed to 5/4 eps, so a point left alone is inside. A point
+/// outside is so by less than the step, as the test of the rims proves.
 #[inline(always)]
 const fn inward([x, y]: [f32; 2]) -> [f32; 2] {
     let near = (x * x + y * y > 1.0 - f32::EPSILON) as u32;
@@ -87,7 +87,8 @@ const fn inward([x, y]: [f32; 2]) -> [f32; 2] {
 /// Two magnitudes with the signs of two words.
 #[inline(always)]
 const fn signed<const BRANCHES: bool>([x, y]: [f32; 2], signs: [u32; 2]) -> [f32; 2] {
-    // They have none yet; where Arm sees as much, it inserts a magnitude into a word at once.
+    // They have no sign yet. If the compiler sees that, Arm inserts a magnitude into a word in one
+    // instruction.
     let (x, y) = if BRANCHES { (x.abs(), y.abs()) } else { (x, y) };
     [f32::from_bits(signs[0] & SIGN | x.to_bits()), f32::from_bits(signs[1] & SIGN | y.to_bits())]
 }
@@ -99,8 +100,8 @@ impl Place {
         signed::<false>(exchanged(self.swap, inward(point)), self.signs)
     }
 
-    /// The point of larger - larger cos and smaller - smaller sin. Not `at_rim` means inside by more than all
-    /// errors: a branch then spares it the exact test.
+    /// The point of larger - larger cos and smaller - smaller sin. If not `at_rim`, it is inside by
+    /// more than all errors, and a branch skips the exact test.
     #[inline(always)]
     const fn put<const BRANCHES: bool>(
         self,
@@ -112,7 +113,7 @@ impl Place {
         if !BRANCHES {
             return self.placed([larger - larger * cos, smaller - smaller * sin]);
         }
-        // Formed in its place: to swap two results would cost Arm five instructions.
+        // Computed in its place: swapping two results would cost Arm five instructions.
         let point = if swap == 0 {
             [larger - larger * cos, smaller - smaller * sin]
         } else {
@@ -139,12 +140,12 @@ pub(super) const fn concentric<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDi
     if !BRANCHES {
         let swap = mask(steep);
         let major = m_u ^ (m_u ^ m_v) & swap;
-        // Rounding keeps the order, and the larger of two floats takes one operation.
+        // Rounding is monotonic, and the larger of two floats takes one operation.
         let (a, b) = (centre(m_u), centre(m_v));
         let magnitudes = [if a > b { a } else { b }, if a > b { b } else { a }];
         return at::<BRANCHES>(major, magnitudes, Place { swap, signs });
     }
-    // Twice all of it, so that nothing is swapped.
+    // The code is there twice, so that nothing is swapped.
     if steep {
         at::<BRANCHES>(m_v, [centre(m_v), centre(m_u)], Place { swap: !0, signs })
     } else {
@@ -152,7 +153,7 @@ pub(super) const fn concentric<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDi
     }
 }
 
-/// The point of a larger and a smaller magnitude, as floats; and of the larger as it is.
+/// The point of a larger and a smaller magnitude, as floats, and of the larger as an integer.
 #[inline(always)]
 const fn at<const BRANCHES: bool>(major: u32, [a, b]: [f32; 2], place: Place) -> FastDisc {
     const SCALE: f32 = 1.0 / 2_147_483_648.0;
@@ -204,7 +205,7 @@ const fn at_rim(distance: f32) -> bool {
     distance > 1.0 - 8.0 * f32::EPSILON
 }
 
-/// Square root of what is at most 1 but for its rounding.
+/// Square root of a value that exceeds 1 by rounding at most.
 #[inline(always)]
 pub(super) const fn root_to_1(square: f32) -> f32 {
     normal_sqrt(if square < 1.0 { square } else { 1.0 })
@@ -232,7 +233,7 @@ mod tests {
         }
     }
 
-    /// Both forms are compiled everywhere, though a target takes one of them.
+    /// Both forms are compiled everywhere, though a target uses only one.
     #[test]
     fn branches_do_not_change_a_bit() {
         for u in words() {

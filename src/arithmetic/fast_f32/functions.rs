@@ -1,13 +1,13 @@
 //! The elementary functions of fast f32, on the ranges that the maps need, as `const fn`.
 //!
-//! Coefficients are by tests/derive/fast_f32.sollya. Errors are in tests/fast_f32.rs, over every f32 of
-//! each range.
+//! tests/derive/fast_f32.sollya derives the coefficients. The tests have the errors, over every f32
+//! of each range.
 
 use crate::arithmetic::float::Float;
 
 /// 1 - cos(pi/4 t) and 1 - sin(pi/4 t) / t from q = t^2 in [0, 1].
 ///
-/// Both are below 0.3, so r - r gap, with one rounding at full size, loses half of what r cos would.
+/// Both are below 0.3, so r - r gap has one rounding at full size: half the error of r cos.
 #[inline(always)]
 pub(super) const fn gaps(q: f32) -> [f32; 2] {
     const COS: [f32; 4] = [0.308_425_13, -0.015_854_267, 3.258_201_8e-4, -3.461_355_4e-6];
@@ -27,13 +27,13 @@ pub(super) const fn sqrt(x: f32) -> f32 {
 
 /// Square root of x in [2^-110, MAX], and of 0.
 ///
-/// y = 1 / sqrt x by a magic constant and one Newton step whose constants keep it from below, to 1.4e-3
-/// (J. Kadlec, 2010, shows how far tuned constants beat the plain step). Then s = x y is below the root,
-/// so s^2 does not overflow, and the residual x - s^2 of a rounded s tells how far: with h = (x - s^2) y^2,
-/// sqrt x = s (1 + h / 2 + 3/8 h^2 + ..), short of the truth by 5/16 h^3 < 1e-8.
+/// y = 1 / sqrt x from below to 1.4e-3, by a magic constant and one Newton step with tuned
+/// constants (J. Kadlec, 2010, shows how far they beat the plain step). Then s = x y is below the
+/// root, so s^2 does not overflow. The residual x - s^2 of the rounded s gives the correction: with
+/// h = (x - s^2) y^2, sqrt x = s (1 + h / 2 + 3/8 h^2 + ..), short of the truth by 5/16 h^3 < 1e-8.
 #[inline(always)]
 pub(super) const fn normal_sqrt(x: f32) -> f32 {
-    // Wraps for what is not a root's argument; the result is then none either.
+    // Wraps outside the function's range, where the result is unspecified.
     let y = f32::from_bits(0x5f20_0000_u32.wrapping_sub(x.to_bits() >> 1));
     let y = y * (1.680_819_6 - 0.703_494 * x * y * y);
     let s = x * y;
@@ -46,9 +46,9 @@ const LN_2: [f32; 2] = [0.693_359_4, -2.121_944_4e-4];
 
 /// ln(1 - x) from x and 1 - x, both in [0, 1], each correct to a few eps of itself.
 ///
-/// With 1 - x = 2^n (1 + g), 1 + g in [sqrt(1/2), sqrt 2): where n = 0, g = -x has the digits that 1 - x
-/// has lost. ln(1 + g) = 2 atanh h, h = g / (2 + g), is g - h (g - R), R = 2/3 h^2 + 2/5 h^4 + ..: g comes
-/// in exactly, and what is rounded is small beside it.
+/// With 1 - x = 2^n (1 + g), 1 + g in [sqrt(1/2), sqrt 2): where n = 0, g = -x has the digits that
+/// 1 - x has lost. ln(1 + g) = 2 atanh h, h = g / (2 + g), is g - h (g - R), R = 2/3 h^2 + 2/5
+/// h^4 + ..: g enters exactly, and the rounded terms are small beside it.
 #[inline(always)]
 pub(super) const fn ln_complement(x: f32, complement: f32) -> f32 {
     const ATANH: [f32; 3] = [0.666_666_87, 0.399_884_6, 0.295_913_3];
@@ -67,8 +67,8 @@ pub(super) const fn ln_complement(x: f32, complement: f32) -> f32 {
 /// exp(x (1 + d)) and 1 - exp(x (1 + d)) for x in [-87.3, 88], d at most an eps.
 ///
 /// With x = k ln 2 + f, |f| <= ln 2 / 2, and p = exp f - 1: 2^k + 2^k p and (1 - 2^k) - 2^k p. Near
-/// x = 0, k = 0, so neither cancels. k comes from an addition of 3/2 2^23, which rounds to an integer and
-/// leaves it in the low bits.
+/// x = 0, k = 0, so neither cancels. k comes from an addition of 3/2 2^23, which rounds to an
+/// integer and leaves it in the low bits.
 #[inline(always)]
 pub(super) const fn exp(x: f32, d: f32) -> [f32; 2] {
     const EXP: [f32; 6] =
@@ -87,7 +87,8 @@ pub(super) const fn exp(x: f32, d: f32) -> [f32; 2] {
 /// ln of the smallest normal number, toward 0.
 pub(super) const LN_MIN: f32 = -87.336_54;
 
-/// The functions as the generic kernels want them, for the inverses and densities: no more in a hurry.
+/// The functions as the generic kernels take them, for inverses and densities, which are not for
+/// the inner loop.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Functions;
 
@@ -100,7 +101,7 @@ impl Float for Functions {
         sqrt(x)
     }
 
-    /// Not called by an inverse or a density; here for completeness.
+    /// `Float` requires it, but no inverse or density calls it.
     #[inline]
     fn sin_cos(x: f32) -> (f32, f32) {
         let t = x * (4.0 * core::f32::consts::FRAC_1_PI);

@@ -6,11 +6,11 @@ use crate::arithmetic::float::PowerExponent;
 use crate::error::Error;
 use crate::target::BRANCHES;
 
-/// An exponent e > -1 with what the power lobe needs of it.
+/// An exponent e > -1 with the power lobe's precomputed values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FastExponent {
     exact: PowerExponent<f32>,
-    /// 4^k / (e + 1), rounded, and what was lost, relative to it.
+    /// 4^k / (e + 1), rounded, and its relative rounding error.
     rate: f32,
     lost: f32,
     /// 2^-k: 1 up to e + 1 = 2^42.
@@ -22,8 +22,9 @@ impl FastExponent {
     /// [`Error::Exponent`] for a value that is not a finite number above -1.
     pub(super) fn new(e: f32) -> Result<Self, Error> {
         let exact = PowerExponent::new::<Functions>(e)?;
-        // From 2^42 on sin theta is proportional to 1 / sqrt(e + 1) in f32, and 1 - r^2 may be 1 - 2^-64:
-        // the lobe is that of an exponent between 2^40 and 2^42, shrunk, so that nothing underflows.
+        // From 2^42 on sin theta is proportional to 1 / sqrt(e + 1) in f32, and 1 - r^2 may be
+        // 1 - 2^-64: the lobe is that of an exponent between 2^40 and 2^42, shrunk, so that nothing
+        // underflows.
         let e_plus_1 = f64::from(e) + 1.0;
         let binade = e_plus_1.to_bits() >> 52;
         let k = binade.saturating_sub(1023 + 40) / 2;
@@ -59,13 +60,13 @@ pub(super) const fn lift(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
     [x, y, z]
 }
 
-/// sin^2 theta 4^k, which is 1 but for its rounding at most, and z = cos theta, from ln(1 - r^2).
+/// sin^2 theta 4^k, which exceeds 1 by rounding at most, and z = cos theta, from ln(1 - r^2).
 ///
 /// With z = exp(l), sin^2 theta = 1 - z^2 = (1 - z) (1 + z), and 1 - z is accurate near the pole.
 #[inline(always)]
 pub(super) const fn elevation(exponent: FastExponent, log: f32) -> [f32; 2] {
     let log = log * exponent.rate;
-    // Below e = 0 the true z leaves the range of the type in the last cells.
+    // Below e = 0 the exact z underflows in the last cells.
     let log = if log > LN_MIN { log } else { LN_MIN };
     let [z, gap] = exp(log, exponent.lost);
     let z = if z > f32::MIN_POSITIVE { z } else { f32::MIN_POSITIVE };

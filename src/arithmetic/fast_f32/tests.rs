@@ -19,7 +19,7 @@ const RADII: u32 = 8;
 /// Half an ulp of 1, the unit of all errors here.
 const EPS: f64 = 0.5 / (1_u64 << 23) as f64;
 
-/// A prime, so that a strided walk is in step with no power of two.
+/// A prime, so that the stride shares no factor with a power of two.
 fn stride() -> usize {
     if std::env::var_os("HEMIDISC_EXHAUSTIVE").is_some() { 1 } else { 61 }
 }
@@ -48,7 +48,7 @@ impl Worst {
     /// An error in units of 2^-24.
     fn include(&mut self, x: f32, error: f64) {
         let error = error.abs() / EPS;
-        // A NaN stays, and fails the comparison with the bound.
+        // A NaN propagates, and fails the comparison with the bound.
         if error > self.found || error.is_nan() {
             (self.found, self.at) = (error, x);
         }
@@ -143,7 +143,8 @@ fn arc_tangents() {
     assert_eq!(Functions::atan(0.0), 0.0);
 }
 
-/// The polar map and all lobes place a point by its distance and its t = phi / (pi/4) alone: every t.
+/// The polar map and all lobes place a point by its distance and its t = phi / (pi/4) alone: every
+/// t.
 #[test]
 fn no_distance_and_angle_is_outside() {
     let [mut walked, mut outside] = [0_u64; 2];
@@ -157,7 +158,7 @@ fn no_distance_and_angle_is_outside() {
     }
     println!("{walked} points at {RADII} distances, {outside} outside");
     assert_eq!(outside, 0);
-    // The next distance inward is far from the rim already.
+    // The next distance inward is already far from the rim.
     let inner = f32::from_bits(1.0_f32.to_bits() - RADII);
     assert!(f64::from(inner).powi(2) < 1.0 - 15.0 * EPS);
 }

@@ -1,11 +1,12 @@
 //! Positive numbers of any size, and their logarithm and exponential: what the power lobe needs.
 //!
-//! - -ln(1 - x): below x = 2^-7 by its series, so that small x keep all digits; else by a table of 64
-//!   reciprocals c that take 1 - x to 1 + u with 0 <= u < 2^-5.9, and the series of ln(1 + u).
+//! - -ln(1 - x): below x = 2^-7 by its series, so that small x keep all digits; else by a table of
+//!   64 reciprocals c that take 1 - x to 1 + u with 0 <= u < 2^-5.9, and the series of ln(1 + u).
 //! - exp(-x) = 2^-n 2^(-j/32) exp(-y), 0 <= y < 2^-5.5: a table and a series.
 //! - 1 - exp(-x): below x = 2^-4 by its series, else by difference.
 //!
-//! Series stop where the next term is below 2^-38: what is left is less than a hundredth of an LSB of Q31.
+//! Series stop where the next term is below 2^-38: what is left is less than a hundredth of an LSB
+//! of Q31.
 
 use super::wide::high_64;
 

@@ -1,4 +1,4 @@
-//! The public view of a point of the disc, from which a lobe of one's own lifts directions.
+//! The public view of a point of the disc, for lobes of one's own.
 
 use super::disc::sorted;
 use super::real::Real;

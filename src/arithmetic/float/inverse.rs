@@ -4,10 +4,10 @@ use super::disc::sorted;
 use super::functions::Float;
 use super::real::{Real, RealKernel};
 
-/// What coordinates are found from: a point of the disc by its direction and r.
+/// The input of the inverses: a point of the disc by its direction and r.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lowered<R> {
-    /// (cos phi, sin phi), times any factor.
+    /// (cos phi, sin phi), unnormalised.
     direction: [R; 2],
     r: R,
     r2: R,
@@ -42,7 +42,7 @@ pub(super) fn lowered<T: Float>(
 fn octant_fraction<T: Float>(x: T::Real, y: T::Real) -> (bool, T::Real) {
     let (x, y) = (x.magnitude(), y.magnitude());
     let (a, b) = sorted(x, y);
-    // Not a number where the point is the centre, infinite or none.
+    // NaN where the point is the centre, infinite or NaN.
     let ratio = b / a;
     let t = if ratio <= T::Real::ONE { T::atan(ratio) * T::Real::FRAC_4_PI } else { T::Real::ZERO };
     (y > x, t)
@@ -64,7 +64,7 @@ pub(super) fn concentric<T: Float>(lowered: Lowered<T::Real>) -> [u32; 2] {
     } else {
         0x7fff_ffff_u32.saturating_sub((lowered.one_minus_r2 / (T::Real::ONE + lowered.r)).cell(31))
     };
-    // On a diagonal rounding must not make the minor the larger one, which has the radius.
+    // On a diagonal, rounding must not exchange the minor and the larger one, which has the radius.
     let major = major.min(0x7fff_ffff);
     let minor = (T::Real::over_2_32(2 * major + 1) * t).cell(31).min(major);
     let (m_u, m_v) = if steep { (minor, major) } else { (major, minor) };

@@ -6,12 +6,12 @@ use super::inverse::{Lowered, clamp_01, length_squared, lowered};
 use super::real::{Real, RealKernel};
 use crate::error::Error;
 
-/// An exponent e > -1 with what the power lobe needs of it.
+/// An exponent e > -1 with the power lobe's precomputed values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PowerExponent<R> {
     e: R,
     e_plus_1: R,
-    /// What rounding has taken from e + 1, relative to it.
+    /// The relative rounding error of e + 1.
     lost: R,
     /// sqrt(2 / (e + 1)): the scale of sin theta at the pole.
     spread: R,
@@ -47,7 +47,8 @@ fn log_one_minus_r2<T: Float>(
 ) -> T::Real {
     let s2 = length_squared(x, y);
     if s2 <= T::Real::HALF {
-        // ln z = ln(1 - s^2) / 2 = -g s^2 / 2; scaled first, for s^2 may underflow where s does not.
+        // ln z = ln(1 - s^2) / 2 = -g s^2 / 2; scaled first, because s^2 may underflow where s does
+        // not.
         let scaled = length_squared(x / exponent.spread, y / exponent.spread);
         let g = if s2 < T::Real::EPSILON { T::Real::ONE } else { T::ln_1p(-s2) / -s2 };
         -(scaled * g)
@@ -67,7 +68,7 @@ pub(super) fn lift<T: Float>(
     let z = T::exp(log_z);
     // What e + 1 has lost would cost |ln z| eps: exp(l / (1 + d)) is exp(l) (1 - l d).
     let z = z - z * (log_z * exponent.lost);
-    // Below e = 0 the true z leaves the range of the type in the last cells.
+    // Below e = 0 the exact z underflows in the last cells.
     let z = if z < T::Real::MIN_POSITIVE { T::Real::MIN_POSITIVE } else { z };
     let q = -T::Real::TWO * log_z;
     let sin =

@@ -52,7 +52,7 @@ pub trait Real:
     fn floor_u32(self) -> u32;
 }
 
-/// What the kernels need besides.
+/// What only the kernels need.
 #[doc(hidden)]
 pub trait RealKernel: Copy + sealed::Sealed {
     /// Far above the smallest normal number, far below 1.
@@ -71,7 +71,7 @@ pub trait RealKernel: Copy + sealed::Sealed {
     fn cell(self, bits: u32) -> u32;
     /// The next number toward zero; for positive numbers.
     fn below(self) -> Self;
-    /// Whether a^2 + b^2 > 1, never wrong when true is due; 1/2 <= a <= 2, 0 <= b <= a.
+    /// Whether a^2 + b^2 > 1, without false negatives; 1/2 <= a <= 2, 0 <= b <= a.
     fn outside(a: Self, b: Self) -> bool;
 }
 
@@ -142,7 +142,7 @@ macro_rules! real {
                 Self::from_bits(self.to_bits() - 1)
             }
             /// `a` is a multiple of 2^-bits, so its square is exact in the integer; `b` is rounded
-            /// up to a multiple of 2^-fine, finer than a step of `a` can tell.
+            /// up to a multiple of 2^-fine, finer than any step of `a`.
             #[inline]
             fn outside(a: Self, b: Self) -> bool {
                 const ONE: $integer = 1 << $bits;

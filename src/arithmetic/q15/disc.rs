@@ -1,10 +1,12 @@
 //! The disc kernels of Q15.
 //!
-//! **Coordinates.** The top 16 bits are the cell; its centre is 2u - 1 = +-a / 2^16 with an odd a < 2^16.
+//! **Coordinates.** The top 16 bits are the cell; its centre is 2u - 1 = +-a / 2^16 with an odd
+//! a < 2^16.
 //!
-//! **Concentric.** With a the larger magnitude, b the smaller and t = b/a, cos(pi/4 t) is a line in t on
-//! each of 62 buckets, within 0.7 LSB, and so x = a (A - B t) = a A - b B: no quotient, only the bucket of
-//! t, and a near neighbour's line does little harm. A table of 256 reciprocals finds it.
+//! **Concentric.** With a the larger magnitude, b the smaller and t = b/a, cos(pi/4 t) is a line in
+//! t on each of 62 buckets, within 0.7 LSB, and so x = a (A - B t) = a A - b B: no quotient is
+//! needed, only the bucket of t, and a neighbouring bucket's line does little harm. A table of 256
+//! reciprocals finds it.
 //!
 //! **Polar.** The angle within the octant is exact, and so is its bucket; r is a root from a table.
 
@@ -70,7 +72,7 @@ const fn bucket(a: u32, b: u32) -> Option<u32> {
     }
 }
 
-/// One point in 256 is so near the centre that the top bits would not do.
+/// One point in 256 is so near the centre that the top bits do not suffice.
 #[cold]
 #[inline(never)]
 const fn bucket_near_centre(a: u32, b: u32) -> u32 {
@@ -130,7 +132,7 @@ pub(super) const fn root_of(x: u32) -> u32 {
     if x >= 1 << 30 {
         return ROOT.rising(x);
     }
-    // The 1 ends the loop whatever x is.
+    // The 1 ends the loop for any x.
     let (mut x, mut shift) = ((x << 2) | 1, 1);
     while x < 1 << 30 {
         x <<= 2;
@@ -139,7 +141,8 @@ pub(super) const fn root_of(x: u32) -> u32 {
     ((ROOT.rising(x) - HALF) >> shift) + HALF
 }
 
-/// A number from its magnitude in LSBs, below 2^15, and a mask that is -1 where it is positive, else 0.
+/// A number from its magnitude in LSBs, below 2^15, and a mask that is -1 where it is positive,
+/// else 0.
 #[inline(always)]
 pub(in crate::arithmetic) const fn signed(magnitude: u32, positive: i32) -> Q15 {
     Q15::from_bits((positive - (magnitude.cast_signed() ^ positive)) as i16)

@@ -1,14 +1,14 @@
 //! The lobes of Q15, with logarithms to base 2.
 //!
 //! **Power.** With L = -log2(1 - r^2) and lambda = L / (e + 1), z = 2^-lambda and
-//! sin^2 theta = 1 - 4^-lambda. The disc point times sin theta / r gives x and y. At the pole that factor
-//! is 0/0, and 1 - z^2 has lost all digits; but with
+//! sin^2 theta = 1 - 4^-lambda. The disc point times sin theta / r gives x and y. At the pole that
+//! factor is 0/0, and 1 - z^2 has lost all digits; but with
 //!
 //! - l(r^2) = L / r^2, from 1 / ln 2 up, and
 //! - g(lambda) = (1 - 4^-lambda) / (2 ln 2 lambda), from 1 down,
 //!
-//! (sin theta / r)^2 = (2 ln 2 / (e + 1)) l g. No factor has a singularity. The root of the first is
-//! prepared with the exponent, as `spread`; those of l and g are tables. The regimes are
+//! (sin theta / r)^2 = (2 ln 2 / (e + 1)) l g. No factor has a singularity. The root of the first
+//! is prepared with the exponent, as `spread`; those of l and g are tables. The regimes are
 //!
 //! | where | sin theta / r | function |
 //! | --- | --- | --- |
@@ -18,9 +18,9 @@
 //!
 //! where "half" is z = 1/2. The second has three scales of sqrt L ([`root_of_log`]).
 //!
-//! **Units.** A suffix `_q16` says that a variable counts units of 2^-16, and so on; a number without one
-//! is a count or a Q15. All products are of 16 x 16 bits. To shift by n after adding 2^(n - 1) rounds to
-//! the nearest. A table gives 2^-32, of which `>> 16` keeps the top 16 bits.
+//! **Units.** A suffix `_q16` says that a variable counts units of 2^-16, and so on; a number
+//! without one is a count or a Q15. All products are of 16 x 16 bits. To shift by n after adding
+//! 2^(n - 1) rounds to the nearest. A table gives 2^-32, of which `>> 16` keeps the top 16 bits.
 //!
 //! tests/derive/q15.py derives the constants.
 
@@ -34,9 +34,9 @@ const TWICE_LN_2_Q30: u128 = 1_488_522_236;
 
 /// The largest sine of [`power_above_half`], in units of 2^-16 (or of 2^-16 2^-n: see there).
 ///
-/// The tables round, so a sine that is nearly 1 may come out as 1 or more, which has no place in 16 bits
-/// and would leave the disc. Three units below 2^16 are more than what the rounding of 1 / r and of the
-/// factor adds in [`lifted_by_sine`], whose product would leave its word with one more.
+/// The tables round, so a sine that is nearly 1 may come out as 1 or more, which has no place in 16
+/// bits and would leave the disc. Three units below 2^16 are more than what the rounding of 1 / r
+/// and of the factor adds in [`lifted_by_sine`], whose product would leave its word with one more.
 const LARGEST_SINE: u32 = 0xfffd;
 
 /// Half an LSB of Q15 in 2^-30.
@@ -44,7 +44,7 @@ const HALF_LSB_Q30: u32 = 1 << 14;
 /// Half an LSB of Q15 in 2^-31.
 const HALF_LSB_Q31: u32 = 1 << 15;
 
-/// An exponent with what the power lobe needs of it.
+/// An exponent with the power lobe's precomputed values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Q15Exponent {
     e: FixedExponent,
@@ -66,8 +66,8 @@ impl Q15Exponent {
         // 1, of e = 0, becomes 1 - 2^-16: 2^63 has one digit more than the others.
         let is_1 = reciprocal_q63 >> 63 != 0;
         let (scale, zeros) = normal(if is_1 { reciprocal_q63 - 1 } else { reciprocal_q63 });
-        // The top bit of a reciprocal in 2^-63 is worth 2; `scale`'s is worth 1/2 without a shift. A
-        // quotient of 2^-32 is 0 after 31 shifts as well.
+        // The top bit of a reciprocal in 2^-63 is worth 2; `scale`'s is worth 1/2 without a shift.
+        // A quotient of 2^-32 is 0 after 31 shifts as well.
         let shift = if zeros < 32 { zeros - 1 } else { 31 };
         // 2^-30 2^-63 2^-1 = 2^-94, and the root of it 2^-47.
         let spread_q47 = (2 * TWICE_LN_2_Q30 * reciprocal_q63 as u128).isqrt() as u64;
@@ -116,7 +116,7 @@ const fn height(z_q32: u32) -> Q15 {
     Q15::from_bits((z_q32 >> 17) as i16)
 }
 
-/// A component from 2^-31 to the nearest LSB, for the narrowest lobes have few.
+/// A component from 2^-31 to the nearest LSB, because the narrowest lobes have few.
 #[inline(always)]
 const fn rounded(magnitude_q31: u32, positive: i32) -> Q15 {
     signed((magnitude_q31 + HALF_LSB_Q31) >> 16, positive)
@@ -134,11 +134,12 @@ const fn lifted(disc: Q15Disc, factor: u32, shift: u32, z: Q15) -> [Q15; 3] {
     [rounded(x_q31, x_positive), rounded(y_q31, y_positive), z]
 }
 
-/// The disc point times (1 / r) sin theta, for r^2 >= 1/2 and sin theta = sine 2^-14 2^-shift < 1; and z.
+/// The disc point times (1 / r) sin theta, for r^2 >= 1/2 and sin theta = sine 2^-14 2^-shift < 1;
+/// and z.
 ///
-/// The product is below 2^32: with 1 / r exact it is at most 2^16 sine, and the three units that sine is
-/// from 2^16, at least, are more than what rounding adds. At last `half_q30` is added: half an LSB, or
-/// nothing where the rim is near.
+/// The product is below 2^32: with 1 / r exact it is at most 2^16 sine, and the three units that
+/// sine is from 2^16, at least, are more than what rounding adds. At last `half_q30` is added: half
+/// an LSB, or nothing where the rim is near.
 #[inline(always)]
 const fn lifted_by_sine(disc: Q15Disc, sine: u32, shift: u32, half_q30: u32, z: Q15) -> [Q15; 3] {
     // The table is of the half of 1 / r, over r^2 = 1/2 + x / 2.
@@ -209,8 +210,8 @@ const fn power_near_pole(exponent: Q15Exponent, disc: Q15Disc) -> [Q15; 3] {
 /// L = -log2(1 - r^2) in 2^-16, of r^2 >= 1/2.
 #[inline(always)]
 const fn log_of_complement(disc: Q15Disc) -> u32 {
-    // 1 - r^2 = mantissa 2^-whole with a mantissa in [1, 2) when the loop has ended. The 1, of 2^-32,
-    // ends it whatever r^2 is.
+    // 1 - r^2 = mantissa 2^-whole with a mantissa in [1, 2) when the loop has ended. The 1, of
+    // 2^-32, ends it for any r^2.
     let (mut mantissa_q31, mut whole) = ((disc.one_minus_r2() << 1) | 1, 2);
     while mantissa_q31 >> 31 == 0 {
         mantissa_q31 <<= 1;
@@ -222,8 +223,8 @@ const fn log_of_complement(disc: Q15Disc) -> u32 {
 
 /// sqrt L = root 2^-16 2^scale: root and scale; of an L >= 1 in 2^-16.
 ///
-/// [`ROOT`] takes L / 4^scale, in [1/4, 1), in 2^-32. L >= 4 takes e > 3 to be here, and the spread has a
-/// shift; L >= 16 takes e > 15, and it has two: spread_shift + 1 is never below scale.
+/// [`ROOT`] takes L / 4^scale, in [1/4, 1), in 2^-32. L >= 4 takes e > 3 to be here, and the spread
+/// has a shift; L >= 16 takes e > 15, and it has two: spread_shift + 1 is never below scale.
 #[inline(always)]
 const fn root_of_log(log_q16: u32) -> (u32, u32) {
     let (part_q32, scale) = match log_q16 >> 18 {
@@ -258,10 +259,11 @@ const fn power_above_half(
     lifted_by_sine(disc, sine, shift, HALF_LSB_Q30, height(power_q32))
 }
 
-/// r^2 >= 1/2 and lambda >= 1, so z <= 1/2 and nothing cancels in sin^2 theta = 1 - z^2. `whole` is the
-/// floor of lambda, and `power_q32` is 2^-(the rest) plus [`HALF`].
+/// r^2 >= 1/2 and lambda >= 1, so z <= 1/2 and nothing cancels in sin^2 theta = 1 - z^2. `whole` is
+/// the floor of lambda, and `power_q32` is 2^-(the rest) plus [`HALF`].
 ///
-/// Where e is small, sin theta is 1 but for the last digits over a wide rim: all is rounded toward zero.
+/// Where e is small, sin theta is 1 except for the last digits over a wide rim, so everything is
+/// rounded toward zero.
 #[inline(always)]
 const fn power_below_half(disc: Q15Disc, whole: u32, power_q32: u32) -> [Q15; 3] {
     let z_q32 = (power_q32 - HALF) >> whole;

@@ -1,10 +1,10 @@
 //! The tables of Q15, computed when the crate is compiled; an image holds those that its maps read.
 //!
-//! A chord lies to one side of its curve, at most f'' w^2 / 8 from it in a bucket of width w. Each chord is
-//! moved by half of that: what is left is f'' w^2 / 16 to both sides.
+//! A chord lies to one side of its curve, at most f'' w^2 / 8 from it in a bucket of width w. Each
+//! chord is moved by half of that: what is left is f'' w^2 / 16 to both sides.
 //!
-//! tests/derive/q15.py derives every table and constant from its definition, and shows for those that were
-//! chosen by a test that the next value fails.
+//! tests/derive/q15.py derives every table and constant from its definition, and shows for those
+//! that were chosen by a test that the next value fails.
 
 /// Cosine and sine of pi/4 t, by their series; for t in [0, 2].
 const fn cos_sin(t: f64) -> [f64; 2] {
@@ -102,9 +102,10 @@ const fn value(function: Function, x: f64) -> f64 {
 ///    +------------------------------+----------------------+---+
 /// ```
 ///
-/// A bucket has 2^15 places. A change of 2^-17 a bucket is one of 2^-32 a place, so the value at a place is
-/// the whole word plus (or minus) change times place: one table, one product and one sum. The low field,
-/// twice the change, is read as part of the value; the value is chosen with that in mind.
+/// A bucket has 2^15 places. A change of 2^-17 a bucket is one of 2^-32 a place, so the value at a
+/// place is the whole word plus (or minus) change times place: one table, one product and one sum.
+/// The low field, twice the change, is read as part of the value; the value is chosen with that in
+/// mind.
 #[derive(Clone, Copy)]
 pub(super) struct Chords<const N: usize>([u32; N]);
 
@@ -120,8 +121,8 @@ const LOW_BITS: u32 = 13;
 const STEP: u64 = 1 << LOW_BITS;
 
 impl<const N: usize> Chords<N> {
-    /// The function times `scale` plus a bias, from the bucket `from` on. The bias is in 2^-32; `ends` are the
-    /// biases at the first end of the chords and at 1.
+    /// The function times `scale` plus a bias, from the bucket `from` on. The bias is in 2^-32;
+    /// `ends` are the biases at the first end of the chords and at 1.
     const fn new(function: Function, from: usize, scale: f64, bias: f64, ends: [f64; 2]) -> Self {
         const ONE: f64 = 4_294_967_296.0;
         let (mut words, width, mut i) = ([0; N], 1.0 / N as f64, from);
@@ -138,7 +139,8 @@ impl<const N: usize> Chords<N> {
             assert!(change <= CHANGE);
             // What the last place adds.
             let rise = if last < first { 0 } else { change as u64 * (PLACES - 1) as u64 };
-            // Exact in the middle of the bucket, and less the word's low field, which adds to what is read.
+            // Exact in the middle of the bucket, and less the word's low field, which adds to what
+            // is read.
             let middle = (PLACES / 2) as f64;
             let half = middle * if last < first { -(change as f64) } else { change as f64 };
             let begin = 0.5 * (first + last) - half - 2.0 * change as f64;
@@ -211,12 +213,12 @@ pub(super) struct Lines {
 /// Buckets of t in [0, 1]; a crude quotient is up to 1/33 larger, and still below [`LINES`]'s end.
 pub(super) const BUCKETS: u32 = 62;
 
-/// How much smaller than 1 the circle of the lines is, so that no line leaves the disc where a crude quotient
-/// takes it beyond its bucket: chosen as small as the exhaustive test lets it be.
+/// How much smaller than 1 the circle of the lines is, so that no line leaves the disc where a
+/// crude quotient takes it beyond its bucket: the smallest value that passes the exhaustive test.
 const INWARD: f64 = 0.65 / 32_768.0;
 
-/// The line of slope near `slope` that comes nearest to `height` at `centre`, in 2^-15: intercept and slope.
-/// Slopes a few units off tilt the line by nothing that counts but reach heights between units.
+/// The line of slope near `slope` that comes nearest to `height` at `centre`, in 2^-15: intercept
+/// and slope. Slopes a few units off barely tilt the line, but reach heights between units.
 const fn line(height: f64, slope: f64, centre: f64) -> [f64; 2] {
     let (mut best, mut least) = ([0.0, 0.0], 1.0);
     let nearest = (slope * 32_768.0) as i64;

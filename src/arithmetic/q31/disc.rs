@@ -22,7 +22,8 @@ pub struct Q31Disc {
     pub(super) one_minus_r2: u64,
 }
 
-/// The number of a magnitude in LSBs, below 2^31, and a mask that is -1 where it is positive, else 0.
+/// The number of a magnitude in LSBs, below 2^31, and a mask that is -1 where it is positive,
+/// else 0.
 #[inline(always)]
 pub(super) const fn signed(magnitude: u32, positive: i32) -> Q31 {
     Q31::from_bits(positive.wrapping_sub(magnitude.cast_signed() ^ positive))
@@ -61,8 +62,8 @@ impl Q31Disc {
     }
 }
 
-/// With r^2 and 1 - r^2 where `R2` asks for them: the compiler does not always remove a product that
-/// nobody reads.
+/// With r^2 and 1 - r^2 where `R2` asks for them: the compiler does not always remove an unused
+/// product.
 #[inline(always)]
 pub(super) const fn concentric<const R2: bool>([u, v]: [u32; 2]) -> Q31Disc {
     let ((u, sign_u), (v, sign_v)) = (fold(u), fold(v));
@@ -89,7 +90,7 @@ pub(super) const fn polar([u, v]: [u32; 2]) -> Q31Disc {
     let (cos, sin) = if steep != 0 { (short, long) } else { (long, short) };
     let r2 = (2 * v as u64 + 1) << 31;
     let r = root(r2);
-    // The floor of the product, as of the others.
+    // The floor of the product, like the others.
     let (x, y) = (halfway(cos, r), halfway(sin, r));
     Q31Disc::new(x, y, [!left.cast_signed(), !below.cast_signed()], r2)
 }

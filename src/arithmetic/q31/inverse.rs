@@ -30,10 +30,10 @@ pub(super) fn height(z: Q31) -> u64 {
     u64::from(z.to_bits().max(0).cast_unsigned()) << 33
 }
 
-/// What coordinates are found from: a point of the disc by its direction and r.
+/// The input of the inverses: a point of the disc by its direction and r.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lowered {
-    /// |x| and |y|, times any factor.
+    /// |x| and |y|, unnormalised.
     x: u32,
     y: u32,
     /// For x and for y, -1 where it is positive, else 0.
@@ -50,11 +50,11 @@ impl Lowered {
     }
 }
 
-/// Near the pole r^2 = s^2 / (1 + z), of which x and y know more than z; else r^2 = 1 - z.
+/// Near the pole r^2 = s^2 / (1 + z), where x and y are more accurate than z; else r^2 = 1 - z.
 pub(super) fn lower_uniform([x, y, z]: [Q31; 3]) -> Lowered {
     let r2 = if z.to_bits() >= 1 << 30 {
         let sum = (1 << 31) + u128::from(z.to_bits().unsigned_abs());
-        // Below 2^64, for the sum is above 2^31.
+        // Below 2^64, because the sum is above 2^31.
         ((u128::from(length_squared(x, y)) << 31) / sum) as u64
     } else {
         complement(height(z))
@@ -79,7 +79,8 @@ pub(super) fn unfold(magnitude: u32, positive: i32) -> u32 {
     0x7fff_ffff_u32.saturating_sub(magnitude) ^ positive.cast_unsigned()
 }
 
-/// Whether |y| > |x|, and the angle from the nearer axis as a fraction of an octant in units of 2^-62.
+/// Whether |y| > |x|, and the angle from the nearer axis as a fraction of an octant in units of
+/// 2^-62.
 fn octant_fraction(lowered: Lowered) -> (bool, u64) {
     let steep = lowered.y > lowered.x;
     let (a, b) = if steep { (lowered.y, lowered.x) } else { (lowered.x, lowered.y) };
@@ -90,7 +91,7 @@ pub(super) fn concentric(lowered: Lowered) -> [u32; 2] {
     let (steep, t) = octant_fraction(lowered);
     let major = root(lowered.r2) >> 1;
     let minor = (u128::from(t) * u128::from(2 * major + 1)) >> 63;
-    // On a diagonal rounding must not make the minor the larger one, which has the radius.
+    // On a diagonal, rounding must not exchange the minor and the larger one, which has the radius.
     let minor = (minor as u32).min(major);
     let (m_u, m_v) = if steep { (minor, major) } else { (major, minor) };
     let [u_positive, v_positive] = lowered.positive;

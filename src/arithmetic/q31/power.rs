@@ -7,7 +7,7 @@ use crate::arithmetic::fixed::scaled::{Scaled, exp, fall, log};
 use crate::arithmetic::fixed::wide::{high_64, product};
 use crate::arithmetic::fixed::{FixedExponent, Q31};
 
-/// An exponent with what the power lobe needs of it.
+/// An exponent with the power lobe's precomputed values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Q31Exponent {
     value: FixedExponent,
@@ -30,7 +30,7 @@ impl Q31Exponent {
 const fn plus_1(e: FixedExponent) -> Scaled {
     match e.to_bits().checked_add(1 << 32) {
         Some(bits) => Scaled::new(bits, 32),
-        // Beyond 2^32 the last bit goes.
+        // Above 2^32 the last bit is lost.
         None => Scaled::new((e.to_bits() >> 1) + (1 << 31), 33),
     }
 }
@@ -42,7 +42,7 @@ pub(super) fn lift(exponent: Q31Exponent, disc: Q31Disc) -> [Q31; 3] {
     let s2 = fall(log_z.doubled(), high_64(z, z));
     let r2 = Scaled::new(disc.r2, 0);
     // (s/r)^2 = quotient 2^(twice - 32), below 4, and the root of it: ratio 2^(twice / 2 - 32).
-    // The bit is set but for r^2 = 0, which no map gives: it spares the check of the divisor.
+    // The bit is set except for r^2 = 0, which no map gives. It removes the check of the divisor.
     let quotient = (s2.mantissa >> 1) / (r2.mantissa >> 32 | 1 << 31);
     let twice = s2.exponent - r2.exponent + 1;
     let ratio = root(quotient << (32 - (twice & 1)));
@@ -56,7 +56,8 @@ pub(super) fn lift(exponent: Q31Exponent, disc: Q31Disc) -> [Q31; 3] {
     [x, y, nearest((z >> 32) as u32)]
 }
 
-/// -ln z of a direction: from z near the horizon, from x and y near the pole, where z has rounded to 1.
+/// -ln z of a direction: from z near the horizon, from x and y near the pole, where z has rounded
+/// to 1.
 fn log_z([x, y, z]: [Q31; 3]) -> Scaled {
     let s2 = length_squared(x, y);
     if s2 >> 63 == 0 {

@@ -1,8 +1,8 @@
 //! Rejection: draw candidates from [-1, 1]^2, keep those inside the disc.
 //!
 //! The inside-test is exact, on integers: with magnitudes m and n of the two coordinates about the
-//! centre, (2m + 1)^2 + (2n + 1)^2 <= 2^64 is m (m + 1) + n (n + 1) < 2^62. About 1 - pi/4 = 21.5 % of the
-//! candidates are lost, and with them the strata of a stratified set.
+//! centre, (2m + 1)^2 + (2n + 1)^2 <= 2^64 is m (m + 1) + n (n + 1) < 2^62. About 1 - pi/4 = 21.5 %
+//! of the candidates are lost, and with them the strata of a stratified set.
 
 use crate::arithmetic::{Arithmetic, Back};
 use crate::coordinates::fold;
@@ -11,7 +11,7 @@ use core::iter::Take;
 use core::marker::PhantomData;
 use core::num::NonZeroU32;
 
-/// An iterator adaptor from coordinates to the points of the disc that survive.
+/// An iterator adaptor that keeps the candidates inside the disc.
 ///
 /// The draws are bounded: by the length of the candidates ([`new`](Self::new)), to a number in all
 /// ([`with_draws`](Self::with_draws)) or to a number for each point
@@ -45,9 +45,9 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Rejection<A, I> {
 
     /// Draws at most `limit` candidates for each point, from candidates that may never end.
     ///
-    /// The `limit`-th is not rejected: wherever it lies, the concentric map takes it to the disc. So
-    /// independent candidates give uniform points for any limit, and one point in 4.66^(`limit` - 1)
-    /// is not an original candidate.
+    /// The `limit`-th is not rejected: wherever it lies, the concentric map takes it to the disc.
+    /// So independent candidates give uniform points for any limit, and one point in
+    /// 4.66^(`limit` - 1) is not an original candidate.
     ///
     /// # Errors
     /// [`Error::NoDraws`] for a limit of 0.

@@ -5,7 +5,8 @@ use super::lobe;
 use crate::arithmetic::Arithmetic;
 use crate::error::Error;
 
-/// z = (1 - r^2)^(1 / (e + 1)): the tighter about the pole the larger e; e = 0 is uniform, 1 cosine.
+/// z = (1 - r^2)^(1 / (e + 1)): the tighter about the pole the larger e; e = 0 is uniform, 1
+/// cosine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PowerLobe<A: Arithmetic> {
     exponent: A::Exponent,

@@ -1,5 +1,5 @@
-//! What comes from a user as floats, bits or text: each value is taken exactly, or refused with an
-//! error that says which one and what is accepted.
+//! A user's floats, bits or text: each value is converted exactly, or refused with an error that
+//! names it and what is accepted.
 
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::arithmetic::FixedExponent;
@@ -34,7 +34,7 @@ pub fn assert_clear(error: &Error) {
     assert!(!text.contains('\n') && text.contains("; accepted"), "{text}");
 }
 
-/// floor(2^32 x) of numbers in [0, 1), or the first that is none.
+/// floor(2^32 x) of numbers in [0, 1), or the first that is not one.
 fn is_checked(numbers: [f64; 2], found: Result<Coordinates, Error>) {
     let bad = numbers.into_iter().zip([Axis::U, Axis::V]).find(|(x, _)| !(*x >= 0.0 && *x < 1.0));
     match (found, bad) {

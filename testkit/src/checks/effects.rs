@@ -1,5 +1,5 @@
-//! The effects with any numbers: what no scene can mean is an error that says so, and of what one
-//! can mean every number is finite, on the side where light goes, and what the formula says.
+//! The effects with any numbers. Invalid parameters give an error that names them. For valid ones
+//! every result is finite, on the lit side, and agrees with the formula.
 
 mod directions;
 mod lens;

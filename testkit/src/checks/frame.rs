@@ -52,7 +52,7 @@ impl EachRoot for Input {
             }
             Err(error @ Error::NotUnit { length_squared }) => {
                 assert_clear(&error);
-                // Not a number is none too.
+                // NaN has no direction either.
                 let near = (length_squared - 1.0).abs() <= 32.0 * eps::<A::Real>();
                 assert!(!near, "{} {vector:?}", A::NAME);
             }

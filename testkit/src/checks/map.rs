@@ -18,7 +18,7 @@ struct Input {
     exponent: f32,
     /// Of an exponent of each arithmetic's own.
     bits: u64,
-    /// A point or direction that may be none.
+    /// A point or direction, perhaps invalid.
     numbers: [f64; 3],
     draws: Draws,
 }

@@ -1,6 +1,5 @@
-//! Tiny scenes through the reference renderer: nothing that is no number, or negative, reaches the
-//! buffer; a split changes no bit; an effect that is absent draws no point, and one of radius 0 is
-//! none.
+//! Tiny scenes through the reference renderer. No NaN or negative number reaches the buffer. A
+//! split changes no bit. An absent effect draws no point, and radius 0 equals absence.
 
 mod scene;
 

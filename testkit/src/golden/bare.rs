@@ -1,9 +1,7 @@
-//! A renderer that never had an effect: a pinhole, a light at a point, plain ambient light and
-//! mirrors.
+//! A renderer without effects: a pinhole, a light at a point, plain ambient light and mirrors.
 //!
-//! What a [`Renderer`] without effects is compared with: bit for bit on the host, in instructions
-//! and bytes of flash on the boards. Where rays end is none of an effect's business, and the same
-//! code.
+//! A [`Renderer`] without effects is compared with it: bit for bit on the host, in instructions and
+//! bytes of flash on the boards. Both share the code that finds where rays end.
 
 use crate::tracer::{
     Finish, Hit, Mirror, Pinhole, PointLight, Points, Ray, Renderer, Unoccluded, Vector,

@@ -146,7 +146,7 @@ fn mapped<A: Arithmetic<Real: Digestible>>(
     for exponent in EXPONENTS {
         mapped.exponent = exponent;
         let Ok(parameter) = exponent.parse() else { continue };
-        // An error leaves lines out, which the comparison tells.
+        // An error leaves lines out, which the comparison detects.
         let _ = power_maps::<A>(parameter, &mut mapped);
     }
 }

@@ -19,7 +19,7 @@ use hemidisc::{Error, Frame};
 pub const SIZE: [u32; 2] = [64, 48];
 const SAMPLES: u32 = 2;
 
-/// Takes a scene with the effects that it calls for, whatever their types.
+/// Takes a scene with effects of any types.
 pub trait Visitor<A: Root> {
     /// Takes a scene.
     fn scene<L: Lens<A>, S: Light<A>, O: Ambient<A>, G: Reflection<A>>(

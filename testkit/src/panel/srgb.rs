@@ -9,7 +9,7 @@ use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 static FIVE_BITS: [f32; Rgb565::MAX_R as usize] = edges();
 static SIX_BITS: [f32; Rgb565::MAX_G as usize] = edges();
 
-/// The nearest colour; what is below 0 or not a number is black, what is above 1 full.
+/// The nearest colour. Light below 0 or NaN is black, above 1 full.
 pub fn encode([r, g, b]: [f32; 3]) -> Rgb565 {
     let level = |edges: &[f32], light: f32| edges.partition_point(|edge| *edge <= light) as u8;
     Rgb565::new(level(&FIVE_BITS, r), level(&SIX_BITS, g), level(&FIVE_BITS, b))

@@ -30,7 +30,7 @@ impl<A: Root> Camera<A> {
     /// y axis up in the image; `slope` is the tangent of half the vertical field of view.
     ///
     /// # Errors
-    /// [`Error::NoDirection`] for a direction ahead that is none.
+    /// [`Error::NoDirection`] if ahead is zero, infinite or NaN.
     pub fn new(
         position: [A::Real; 3],
         ahead: [A::Real; 3],
@@ -40,7 +40,7 @@ impl<A: Root> Camera<A> {
         let frame = Frame::normalized::<A>(ahead)?;
         let [across, _, z] = frame.axes();
         let level = cross(z, [A::Real::ZERO, A::Real::ONE, A::Real::ZERO]);
-        // Straight up or down every direction across is level.
+        // If ahead is straight up or down, every direction across is level.
         let x = Frame::normalized::<A>(level).map_or(across, |frame| frame.axes()[2]);
         let centre = [width, height].map(|pixels| A::Real::HALF * count(pixels));
         let pixel = slope / centre[1];

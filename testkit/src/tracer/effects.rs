@@ -50,8 +50,8 @@ pub trait Ambient<A: Root> {
 
 /// Where a shiny surface looks.
 pub trait Reflection<A: Root> {
-    /// A direction above the surface; without one the sample sees nothing there, and its energy is
-    /// lost.
+    /// A direction above the surface. `None` means that the sample sees nothing there, and its
+    /// energy is lost.
     fn sample(
         &self,
         arriving: Vector<A>,
@@ -169,7 +169,7 @@ impl<A: Root> Ambient<A> for AmbientOcclusion<A> {
         draw: impl Draw,
         counts: &mut Counts,
     ) -> A::Real {
-        // A normal that is none has no directions about it.
+        // An invalid normal has no directions about it.
         let Ok(frame) = Frame::normalized::<A>(normal) else { return A::Real::ONE };
         counts.occlusion.draw();
         counts.occlusion.send();

@@ -167,7 +167,7 @@ impl<A: Root> Sky<A> {
 impl<A: Root, G> Hit<'_, A, G> {
     /// A ray that leaves the surface.
     ///
-    /// It starts sqrt(eps) above: far more than a hit is wrong in scenes of up to some hundred
+    /// It starts sqrt(eps) above: far more than the error of a hit in scenes of up to some hundred
     /// units, and too little to be seen.
     #[inline]
     pub fn leaving(&self, direction: Vector<A>) -> Ray<A> {

@@ -1,4 +1,5 @@
-//! Prints the golden lines of this core: every sequence x map x arithmetic, as tests/golden has them.
+//! Prints the golden lines of this core: every sequence x map x arithmetic, as tests/golden has
+//! them.
 #![no_std]
 #![no_main]
 

@@ -1,6 +1,7 @@
 //! Prints what effects and scenes cost on this core.
 //!
-//! A program of its own, as is `effect_digests`: with all else they do not fit into the smallest board's flash.
+//! A program of its own, as is `effect_digests`: with all else they do not fit into the smallest
+//! board's flash.
 #![no_std]
 #![no_main]
 

@@ -1,4 +1,5 @@
-//! Prints the golden lines of this core that are of effects: samples of each, and a scene rendered with and without.
+//! Prints the golden lines of this core that are of effects: samples of each, and a scene rendered
+//! with and without.
 #![no_std]
 #![no_main]
 

@@ -1,8 +1,9 @@
-//! An example to copy: lens samples for each pixel of a camera, without a float, an allocator or a panic.
+//! An example to copy: lens samples for each pixel of a camera, without a float, an allocator or a
+//! panic.
 //!
-//! Two lamps are seen through a thin lens. The left one is in focus; the right one is twice as far away, so that
-//! its light spreads over a disc, the lens's own shape. A pixel takes 64 points on the lens from a domain of its
-//! own into a buffer in RAM, and counts the rays that meet a lamp.
+//! Two lamps are seen through a thin lens. The left one is in focus; the right one is twice as far
+//! away, so that its light spreads over a disc, the lens's own shape. A pixel takes 64 points on
+//! the lens from a domain of its own into a buffer in RAM, and counts the rays that meet a lamp.
 #![no_std]
 #![no_main]
 
@@ -35,7 +36,8 @@ fn hits(focus: [i32; 2], lens: &[[Q15; 2]]) -> usize {
     let rays =
         lens.iter().map(|point| point.map(|x| (i32::from(x.to_bits()) * (APERTURE >> 6)) >> 9));
     let hit = rays.filter(|[x, y]| {
-        // At twice the distance of the plane in focus a ray is as far beyond its axis as it began before it.
+        // At twice the distance of the plane in focus a ray is as far beyond its axis as it began
+        // before it.
         let far = [2 * focus[0] - x, 2 * focus[1] - y];
         meets(focus, NEAR) || meets(far, FAR)
     });

@@ -55,7 +55,7 @@ pub fn occlusion<A: Root<Real: Real> + Tested>(input: &Input) {
     }
 }
 
-/// An exponent that is none.
+/// An invalid exponent.
 pub fn refused(input: &Input) {
     let exponent = input.arriving[0];
     let made = Glossy::<LibmF64>::new(exponent, input.below);
@@ -89,7 +89,7 @@ pub fn glossy<A: Root<Real: Real> + Tested>(input: &Input, exponent: A::Paramete
     assert!(reject.is_none_or(|sample| sample == zero), "{}", what());
     assert_eq!(flip.weight, A::Real::ONE, "{}", what());
     assert!(flip.density >= zero.density, "{}", what());
-    // On the side that the light comes from, which along the surface is a matter of rounding.
+    // On the side that the light comes from, which rounding decides along the surface.
     let [x, y, z] = [0, 1, 2].map(|i| arriving[i] * normal[i]);
     if x + y + z > A::Real::ZERO {
         normal = normal.map(|component| -component);

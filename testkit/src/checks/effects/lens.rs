@@ -35,7 +35,7 @@ pub fn lens<A: Root<Real: Real> + Tested>(input: &Input) {
                 }
                 Error::Distance { value } => {
                     assert!(radius_is_good && value.to_bits() == f.to_bits(), "{f:e}");
-                    // Refused as well where radius / distance is no number of the type.
+                    // Also refused where radius / distance overflows.
                     let steep = !A::Real::nearest(r / f * (1.0 + 4.0 * eps::<A::Real>())).finite();
                     assert!(!distance_is_good || steep, "{r:e} / {f:e}");
                 }

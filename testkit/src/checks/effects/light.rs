@@ -1,5 +1,4 @@
-//! The disc light: from near, from far, grazing, from behind, of radius 0, and with numbers that
-//! are none.
+//! The disc light: from near, from far, grazing, from behind, of radius 0, and with NaN.
 
 use super::super::convert::assert_clear;
 use super::super::roots::{eps, nearest, smallest, wide};
@@ -63,7 +62,7 @@ fn samples<A: Root<Real: Real> + Tested>(light: DiscLight<A>, input: &Input) {
     if input.radius == 0.0 {
         assert_eq!(one, light.sample(receiver, input.other), "{input:x?}");
     }
-    // Whatever the direction, there is a number.
+    // Any direction gives a number.
     let anything = nearest::<A, 3>(input.arriving);
     for light in [light, two_sided] {
         let found: f64 = light.density(receiver, anything).exact();
@@ -111,11 +110,11 @@ fn is_exact<A: Root<Real: Real> + Tested>(
         return;
     }
     let cosine = -dot(to_light, wide(normal)) / square.sqrt();
-    // The light's plane is as thick as coordinates round.
+    // The light's plane is as thick as the rounding error.
     let [centre, receiver] = [input.centre, input.receiver].map(|v| wide(nearest::<A, 3>(v)));
     let sizes = [centre, receiver].map(|v| dot(v.map(f64::abs), wide(normal).map(f64::abs)));
     let [radius] = wide(nearest::<A, 1>([input.radius]));
-    // A point of it is as far off as its own coordinates round.
+    // A point of it is off by its own rounding error.
     let size = sizes[0] + sizes[1] + radius;
     let thick = 16.0 * eps::<A::Real>() * size / square.sqrt();
     let [weight] = wide([sample.weight]);
