@@ -26,6 +26,7 @@ mod peers;
 mod report;
 mod rounds;
 mod sequences;
+mod shapes;
 mod table;
 mod targets;
 mod timings;

@@ -67,6 +67,10 @@ pub(crate) fn of(path: &str) -> Vec<String> {
         }
         ["fused", _, map, disc, _] => (map, disc, None),
         ["sequence", _] => ("sequence", "-", None),
+        // The plain fill of the same map.
+        ["apart" | "turned", map, disc, arithmetic] => {
+            return vec![format!("map/{map}/{disc}/{arithmetic}")];
+        }
         _ => return Vec::new(),
     };
     let same = OF.into_iter().filter(|(of, on, _)| *of == map && (*on == "-" || *on == disc));

@@ -47,12 +47,12 @@ fn targets(report: &Report) -> String {
     let mut table = table(2, headers);
     for Target { path, peer, at_least, wanted } in TARGETS {
         let is = |build: &Build| build.ratio(path, peer, SMALL);
-        let met = |build: &Build| Some(is(build)? >= build.figure(at_least)?);
+        let met = |build: &Build| Some(is(build)? >= build.figure(*at_least)?);
         table.add_row([
-            path.to_owned(),
-            peer.to_owned(),
-            cell(report, |build| build.figure(at_least)),
-            cell(report, |build| build.figure(wanted)),
+            (*path).to_owned(),
+            (*peer).to_owned(),
+            cell(report, |build| build.figure(*at_least)),
+            cell(report, |build| build.figure(*wanted)),
             cell(report, is),
             each(report, |build| met(build).map(|met| if met { "yes" } else { "no" }.to_owned())),
             cell(report, |build| build.ratio(path, peer, LARGE)),
