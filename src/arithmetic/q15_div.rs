@@ -11,7 +11,8 @@ use super::q15::concentric;
 pub struct Q15Div;
 
 impl Q15Div {
-    /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at compile time.
+    /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at
+    /// compile time.
     #[inline(always)]
     pub const fn concentric(uv: [u32; 2]) -> [Q15; 2] {
         concentric::<true>(uv).store()
@@ -27,7 +28,8 @@ impl Q15Div {
 /// (a cos, a sin) of the angle pi/4 b/a, in 2^-31; a and b odd, b <= a < 2^16.
 #[inline(always)]
 pub(super) const fn rotate(a: u32, b: u32) -> (u32, u32) {
-    // b/a and its square in 2^-16, less than 1. An odd number is not 0, which the compiler may not see.
+    // b/a and its square in 2^-16, less than 1. An odd number is not 0, which the compiler may not
+    // see.
     let t = ((b << 16) - 1) / (a | 1);
     let q = (t * t) >> 16;
     let cos = COSINE[0] - (((COSINE[1] - ((COSINE[2] * q) >> 16)) * q) >> 16);

@@ -1,13 +1,16 @@
 //! The floor of a square root.
 //!
-//! A table gives y near 1 / sqrt x. Two Newton steps, y (3 - x y^2) / 2, make it good to 24 bits; then
-//! g = x y, a step g + (n - g^2) y / 2 for the root itself, and a correction by one to the exact floor.
+//! A table gives y near 1 / sqrt x. Two Newton steps, y (3 - x y^2) / 2, make it good to 24 bits;
+//! then g = x y, a step g + (n - g^2) y / 2 for the root itself, and a correction by one to the
+//! exact floor.
 //!
-//! tests/derive/fixed.py derives the table. A suffix `_q30` says that a variable counts units of 2^-30.
+//! tests/derive/fixed.py derives the table. A suffix `_q30` says that a variable counts units of
+//! 2^-30.
 
 use super::wide::{COUNTS_ZEROS, HALVES, high, product};
 
-/// 1 / sqrt x in units of 2^-15 for x in the middle of [k, k + 1) / 128, k from 32 on: floor, of 16 bits.
+/// 1 / sqrt x in units of 2^-15 for x in the middle of [k, k + 1) / 128, k from 32 on: floor, of 16
+/// bits.
 static SEEDS: [u16; 128] = {
     let mut table = [0; 128];
     let mut k = 32;
@@ -65,8 +68,8 @@ const fn root_by<const BY_HALVES: bool>(n: u64) -> u32 {
     g >> (shift / 2)
 }
 
-/// a b / 2^32, by halves too low by at most 2: the compiler joins halves of two words, of which all four
-/// products are formed, to a product of 64 bits.
+/// a b / 2^32, by halves too low by at most 2: the compiler joins halves of two words, of which all
+/// four products are formed, to a product of 64 bits.
 #[inline(always)]
 const fn near_high<const BY_HALVES: bool>(a: u32, b: u32) -> u32 {
     if BY_HALVES {
@@ -97,7 +100,15 @@ const fn shifted(n: u64) -> (u64, u32) {
 
 #[cfg(test)]
 mod tests {
-    use super::root_by;
+    use super::{SEEDS, root_by};
+
+    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/committed.rs"));
+    const FILE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/fixed.txt"));
+
+    #[test]
+    fn seeds_are_those_of_the_script() {
+        assert_derived(FILE, "SEEDS", &SEEDS);
+    }
 
     /// By either kind of product.
     fn root(n: u64) -> u32 {

@@ -1,24 +1,27 @@
 //! The rotation of a vector of the first octant to its angle, by a table and a small rotation.
 //!
-//! With a vector (m, n), 0 <= n <= m, t = n/m is near a t_j = j / 128, and the concentric map's angle is
-//! pi/4 t = pi/4 t_j + delta, where delta = pi/4 (n - m t_j) / m. The difference is formed without a division
-//! and without rounding, so q = m sin delta = pi/4 (n - m t_j) (1 - delta^2 / 6) and p = m cos delta =
-//! m - m delta^2 / 2 are as exact as the words allow; only the small second terms need the quotient, to 16
-//! bits. That a coordinate is m + 1/2 costs half an LSB, inward, and spares a bit.
+//! With a vector (m, n), 0 <= n <= m, t = n/m is near a t_j = j / 128, and the concentric map's
+//! angle is pi/4 t = pi/4 t_j + delta, where delta = pi/4 (n - m t_j) / m. The difference is formed
+//! without a division and without rounding, so q = m sin delta = pi/4 (n - m t_j) (1 - delta^2 / 6)
+//! and p = m cos delta = m - m delta^2 / 2 are as exact as the words allow; only the small second
+//! terms need the quotient, to 16 bits. That a coordinate is m + 1/2 costs half an LSB, inward, and
+//! spares a bit.
 //!
-//! The vector (p, q) is rotated to t_j in three shears, y' = q + p T, x = p - y' S, y = y' + x T, with S the
-//! sine and T the tangent of half the angle: three products instead of four.
+//! The vector (p, q) is rotated to t_j in three shears, y' = q + p T, x = p - y' S, y = y' + x T,
+//! with S the sine and T the tangent of half the angle: three products instead of four.
 //!
-//! Coordinates m and n are in LSBs of Q31, units of 2^-31; the lengths from them in half that. A vector is
-//! shortened by m >> [`INWARD`]: at the rim, by more than all roundings together can add to its length.
+//! Coordinates m and n are in LSBs of Q31, units of 2^-31; the lengths from them in half that. A
+//! vector is shortened by m >> [`INWARD`]: at the rim, by more than all roundings together can add
+//! to its length.
 //!
-//! A suffix `_q24` says that a variable counts units of 2^-24, and so on; [`rotate_to_part`] has them.
-//! tests/derive/fixed.py derives the tables and constants.
+//! A suffix `_q24` says that a variable counts units of 2^-24, and so on; [`rotate_to_part`] has
+//! them. tests/derive/fixed.py derives the tables and constants.
 
 use super::wide::{HALVES, high, high_by_halves, high_signed, high_signed_by_halves, product};
 
-/// At the rim 3 units of 2^-32; nearer the centre there is room. With 30, which is 1 unit, points of the rim
-/// leave the disc: the test `lengths_are_not_above_the_rim`, and tests/derive/fixed.py, find them.
+/// At the rim 3 units of 2^-32; nearer the centre there is room. With 30, which is 1 unit, points
+/// of the rim leave the disc: the test `lengths_are_not_above_the_rim`, and tests/derive/fixed.py,
+/// find them.
 const INWARD: u32 = 29;
 /// pi/4 in units of 2^-62: floor.
 const QUARTER_PI: u64 = 0x3243_f6a8_885a_308d;
@@ -26,8 +29,8 @@ const QUARTER_PI: u64 = 0x3243_f6a8_885a_308d;
 const ARC: u32 = (QUARTER_PI >> 36) as u32 - ARC_LESS;
 /// What the cubic term leaves at the edge of a part, in units of 2^-26.
 ///
-/// [`rotate_to_part`] takes 5/32 delta^3 for delta^3 / 6, which is delta^3 / 96 more. At the edge of a part
-/// delta = pi/4 / 256, and pi/4 delta^2 / 96 is 5.17 units.
+/// [`rotate_to_part`] takes 5/32 delta^3 for delta^3 / 6, which is delta^3 / 96 more. At the edge
+/// of a part delta = pi/4 / 256, and pi/4 delta^2 / 96 is 5.17 units.
 const ARC_LESS: u32 = 5;
 /// 4/pi in units of 2^-62.
 const FOUR_OVER_PI: i128 = 0x517c_c1b7_2722_0a94;
@@ -72,8 +75,8 @@ static ROTATIONS_BY_HALVES: [[[u16; 2]; 2]; PARTS + 1] = {
     table
 };
 
-/// 2^42 / m for m in the middle of [k, k + 1) 2^23, k from 32 on, floor: nearer the centre the words are too
-/// short.
+/// 2^42 / m for m in the middle of [k, k + 1) 2^23, k from 32 on, floor: nearer the centre the
+/// words are too short.
 static RECIPROCALS: [u16; 224] = {
     let mut table = [0; 224];
     let mut k = 32;
@@ -84,8 +87,8 @@ static RECIPROCALS: [u16; 224] = {
     table
 };
 
-/// 2^46 / m for m in [2^28, 2^31), too small by at most 1 part in 2^14 at 2^31 and in 2^11.9 at 2^28: a crude
-/// value and a Newton step. None nearer the centre.
+/// 2^46 / m for m in [2^28, 2^31), too small by at most 1 part in 2^14 at 2^31 and in 2^11.9 at
+/// 2^28: a crude value and a Newton step. None nearer the centre.
 #[inline(always)]
 const fn reciprocal(m: u32) -> Option<u32> {
     let k = (m >> 23).wrapping_sub(32) as usize;
@@ -108,8 +111,9 @@ const SAGITTA_SHIFT: u32 = 24 + 24 - 32 + 1;
 /// From 2^-32 2^-24 to units of 2^-32, and a quarter of it.
 const CUBE_SHIFT: u32 = 24 + 2;
 
-/// Rotates (m, 0) to the angle pi/4 (t_j + d / m), where j is `part`; m in units of 2^-31, d in units of
-/// 2^-38, x and y in units of 2^-32. `reciprocal` is 2^46 / m for m as the integer that it is.
+/// Rotates (m, 0) to the angle pi/4 (t_j + d / m), where j is `part`; m in units of 2^-31, d in
+/// units of 2^-38, x and y in units of 2^-32. `reciprocal` is 2^46 / m for m as the integer that it
+/// is.
 #[inline(always)]
 const fn rotate_to_part(m: u32, reciprocal: u32, part: u32, d_q38: i32) -> (u32, u32) {
     let part = part as usize;
@@ -133,8 +137,8 @@ const fn rotate_to_part(m: u32, reciprocal: u32, part: u32, d_q38: i32) -> (u32,
     let q = arc_q32 - ((cube_q56 + (cube_q56 >> 2)) >> CUBE_SHIFT);
     // m cos delta; 2 m is m in units of 2^-32.
     let p = 2 * m - sagitta_q32 - (m >> INWARD);
-    // `across` and both results in units of 2^-32. `across` is not below 0: d is not where t_j is 0, and
-    // elsewhere is above -m / 256.
+    // `across` and both results in units of 2^-32. `across` is not below 0: d is not where t_j is
+    // 0, and elsewhere is above -m / 256.
     if HALVES {
         let [tan, sin] = ROTATIONS_BY_HALVES[part];
         let across = high_by_halves(p, tan).wrapping_add_signed(q);
@@ -150,8 +154,9 @@ const fn rotate_to_part(m: u32, reciprocal: u32, part: u32, d_q38: i32) -> (u32,
 
 /// Half a part less 1/256 of one, in units of 2^-24 parts: what rounds to the nearest part.
 ///
-/// A reciprocal is too large by at most 2^-17 (the test `every_reciprocal_is_below_and_near`), which is
-/// 2^-10 of 128 parts. With 1/256 less than half a part, the part chosen is never above the nearest one.
+/// A reciprocal is too large by at most 2^-17 (the test `every_reciprocal_is_below_and_near`),
+/// which is 2^-10 of 128 parts. With 1/256 less than half a part, the part chosen is never above
+/// the nearest one.
 const NEAREST_PART: u32 = (1 << 23) - (1 << 16);
 
 /// m cos(pi/4 n/m) and m sin(pi/4 n/m), 0 <= n <= m; `reciprocal` is 2^46 / m.
@@ -185,7 +190,8 @@ const fn enlarged(m: u32, n: u32) -> (u32, u32) {
     }
 }
 
-/// a cos(pi/4 b/a) and a sin(pi/4 b/a) in units of 2^-32 of a = m + 1/2 and b = n + 1/2, 0 <= n <= m < 2^31.
+/// a cos(pi/4 b/a) and a sin(pi/4 b/a) in units of 2^-32 of a = m + 1/2 and b = n + 1/2, 0 <= n <=
+/// m < 2^31.
 #[inline(always)]
 pub(in crate::arithmetic) const fn rotate(m: u32, n: u32) -> (u32, u32) {
     match reciprocal(m) {
@@ -212,8 +218,8 @@ const fn direction(part: u32) -> [u32; 2] {
     [(product(tan, sin).wrapping_neg() >> 32) as u32, sin]
 }
 
-/// The fraction t of an octant, in units of 2^-62, of the direction (a, b), 0 <= b <= a, a > 0: the inverse
-/// of the rotation, by the same table and the arc tangent of what is left.
+/// The fraction t of an octant, in units of 2^-62, of the direction (a, b), 0 <= b <= a, a > 0: the
+/// inverse of the rotation, by the same table and the arc tangent of what is left.
 pub(in crate::arithmetic) fn fraction(a: u32, b: u32) -> u64 {
     // The last part whose t_j is not above the direction's.
     let mut part = 0;
@@ -240,8 +246,24 @@ mod tests {
     use super::*;
     use crate::bits::hash::mix;
 
-    /// The reciprocal depends on the upper 20 bits alone: for the least and the largest `m` of each, it is
-    /// not too large and not too small, and the product that chooses the part stays in its word.
+    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/committed.rs"));
+    const FILE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/fixed.txt"));
+
+    #[test]
+    fn tables_are_those_of_the_script() {
+        assert_derived(FILE, "QUARTER_PI", &[QUARTER_PI]);
+        assert_derived(FILE, "FOUR_OVER_PI", &[FOUR_OVER_PI as u64]);
+        assert_derived(FILE, "ARC", &[ARC]);
+        assert_derived(FILE, "NEAREST_PART", &[NEAREST_PART]);
+        assert_derived(FILE, "INWARD", &[INWARD]);
+        assert_derived(FILE, "TANGENTS", &TANGENTS);
+        assert_derived(FILE, "SINES", &SINES);
+        assert_derived(FILE, "RECIPROCALS", &RECIPROCALS);
+    }
+
+    /// The reciprocal depends on the upper 20 bits alone: for the least and the largest `m` of
+    /// each, it is not too large and not too small, and the product that chooses the part stays in
+    /// its word.
     #[test]
     fn every_reciprocal_is_below_and_near() {
         for upper in 1_u32 << 17..1 << 20 {
@@ -258,8 +280,9 @@ mod tests {
         }
     }
 
-    /// Between two parts, where the quotient decides, the small rotation is largest: with every reciprocal, its words
-    /// are wide enough (a test without its assertions of overflow asserts less).
+    /// Between two parts, where the quotient decides, the small rotation is largest: with every
+    /// reciprocal, its words are wide enough (a test without its assertions of overflow asserts
+    /// less).
     #[test]
     fn no_word_is_too_short() {
         for k in 32_u32..256 {

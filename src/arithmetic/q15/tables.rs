@@ -1,10 +1,10 @@
 //! The tables of Q15, computed when the crate is compiled; an image holds those that its maps read.
 //!
-//! A chord lies to one side of its curve, at most f'' w^2 / 8 from it in a bucket of width w. Each chord is
-//! moved by half of that: what is left is f'' w^2 / 16 to both sides.
+//! A chord lies to one side of its curve, at most f'' w^2 / 8 from it in a bucket of width w. Each
+//! chord is moved by half of that: what is left is f'' w^2 / 16 to both sides.
 //!
-//! tests/derive/q15.py derives every table and constant from its definition, and shows for those that were
-//! chosen by a test that the next value fails.
+//! tests/derive/q15.py derives every table and constant from its definition, and shows for those
+//! that were chosen by a test that the next value fails.
 
 /// Cosine and sine of pi/4 t, by their series; for t in [0, 2].
 const fn cos_sin(t: f64) -> [f64; 2] {
@@ -102,9 +102,10 @@ const fn value(function: Function, x: f64) -> f64 {
 ///    +------------------------------+----------------------+---+
 /// ```
 ///
-/// A bucket has 2^15 places. A change of 2^-17 a bucket is one of 2^-32 a place, so the value at a place is
-/// the whole word plus (or minus) change times place: one table, one product and one sum. The low field,
-/// twice the change, is read as part of the value; the value is chosen with that in mind.
+/// A bucket has 2^15 places. A change of 2^-17 a bucket is one of 2^-32 a place, so the value at a
+/// place is the whole word plus (or minus) change times place: one table, one product and one sum.
+/// The low field, twice the change, is read as part of the value; the value is chosen with that in
+/// mind.
 #[derive(Clone, Copy)]
 pub(super) struct Chords<const N: usize>([u32; N]);
 
@@ -120,8 +121,8 @@ const LOW_BITS: u32 = 13;
 const STEP: u64 = 1 << LOW_BITS;
 
 impl<const N: usize> Chords<N> {
-    /// The function times `scale` plus a bias, from the bucket `from` on. The bias is in 2^-32; `ends` are the
-    /// biases at the first end of the chords and at 1.
+    /// The function times `scale` plus a bias, from the bucket `from` on. The bias is in 2^-32;
+    /// `ends` are the biases at the first end of the chords and at 1.
     const fn new(function: Function, from: usize, scale: f64, bias: f64, ends: [f64; 2]) -> Self {
         const ONE: f64 = 4_294_967_296.0;
         let (mut words, width, mut i) = ([0; N], 1.0 / N as f64, from);
@@ -138,7 +139,8 @@ impl<const N: usize> Chords<N> {
             assert!(change <= CHANGE);
             // What the last place adds.
             let rise = if last < first { 0 } else { change as u64 * (PLACES - 1) as u64 };
-            // Exact in the middle of the bucket, and less the word's low field, which adds to what is read.
+            // Exact in the middle of the bucket, and less the word's low field, which adds to what
+            // is read.
             let middle = (PLACES / 2) as f64;
             let half = middle * if last < first { -(change as f64) } else { change as f64 };
             let begin = 0.5 * (first + last) - half - 2.0 * change as f64;
@@ -208,21 +210,35 @@ pub(super) struct Lines {
     pub(super) d: u16,
 }
 
-/// Buckets of t in [0, 1]; a crude quotient is up to 1/33 larger, and still below [`LINES`]'s end.
+/// Buckets of t in [0, 1]. A crude quotient is up to 1/33 larger: 62 is the most for which it stays
+/// below 64, the end of [`LINES`].
 pub(super) const BUCKETS: u32 = 62;
 
-/// How much smaller than 1 the circle of the lines is, so that no line leaves the disc where a crude quotient
-/// takes it beyond its bucket: chosen as small as the exhaustive test lets it be.
+/// How much smaller than 1 the circle of the lines is, so that no line leaves the disc where a
+/// crude quotient takes it beyond its bucket.
+///
+/// The least multiple of 0.05 LSBs with which no point of the disc or the uniform lobe is outside.
+/// `python3 tests/derive/q15.py --search` finds it, and a point outside with 0.60; the exhaustive
+/// test (tests/q15) confirms it.
 const INWARD: f64 = 0.65 / 32_768.0;
 
-/// The line of slope near `slope` that comes nearest to `height` at `centre`, in 2^-15: intercept and slope.
-/// Slopes a few units off tilt the line by nothing that counts but reach heights between units.
+/// How many units of 2^-15 a line's slope may be from the tangent's.
+///
+/// Not an optimum. A line is within 0.75 LSB over its bucket; within 1.13 without a choice of
+/// slopes, and within 0.65 with 48. From 4 on [`INWARD`] is the same, and another value changes
+/// bytes: `q15.py --search`.
+const SLOPES: i64 = 24;
+
+/// The line of slope near `slope` that comes nearest to `height` at `centre`, in 2^-15: intercept
+/// and slope. A slope a few units off tilts the line little, and reaches heights between units at
+/// the centre.
 const fn line(height: f64, slope: f64, centre: f64) -> [f64; 2] {
     let (mut best, mut least) = ([0.0, 0.0], 1.0);
     let nearest = (slope * 32_768.0) as i64;
-    let mut s = nearest - 24;
-    while s <= nearest + 24 {
+    let mut s = nearest - SLOPES;
+    while s <= nearest + SLOPES {
         let exact = height * 32_768.0 - s as f64 * centre;
+        // To the nearest; the sum is positive, for a cast cuts toward zero.
         let intercept = ((exact + 65_536.5) as i64 - 65_536) as f64;
         let error = if intercept > exact { intercept - exact } else { exact - intercept };
         if error < least {
@@ -233,6 +249,7 @@ const fn line(height: f64, slope: f64, centre: f64) -> [f64; 2] {
     best
 }
 
+/// Those of [`BUCKETS`] buckets, and two beyond for crude quotients.
 pub(super) const LINES: [Lines; 64] = {
     let mut lines = [Lines { a: 0, b: 0, c: 0, d: 0 }; 64];
     let mut i = 0;
@@ -248,10 +265,11 @@ pub(super) const LINES: [Lines; 64] = {
     lines
 };
 
-/// The reciprocals' units: buckets in 2^-22.
+/// The reciprocals' units: buckets in 2^-22. With 2^-23 they would not have 16 bits.
 pub(super) const RECIPROCAL_SHIFT: u32 = 22;
 
-/// BUCKETS / a of the middle of each interval of the top 8 bits of a divisor, from 2^12 on.
+/// BUCKETS / a of the middle of each interval of the top 8 bits of a divisor, from 2^12 on; to the
+/// nearest.
 pub(super) const RECIPROCAL: [u16; 256] = {
     let mut table = [0; 256];
     let mut i = 16;
@@ -262,3 +280,26 @@ pub(super) const RECIPROCAL: [u16; 256] = {
     }
     table
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/committed.rs"));
+    const FILE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/q15.txt"));
+
+    #[test]
+    fn tables_are_those_of_the_script() {
+        assert_derived(FILE, "ROOT", &ROOT.0);
+        assert_derived(FILE, "RECIPROCAL_ROOT", &RECIPROCAL_ROOT.0);
+        assert_derived(FILE, "LOG", &LOG.0);
+        assert_derived(FILE, "EXP", &EXP.0);
+        assert_derived(FILE, "POLE", &POLE.0);
+        assert_derived(FILE, "BEND", &BEND.0);
+        let lines = LINES.map(|line| [line.a, line.b, line.c, line.d]);
+        assert_derived(FILE, "LINES", lines.as_flattened());
+        assert_derived(FILE, "RECIPROCAL", &RECIPROCAL);
+        assert_derived(FILE, "BUCKETS", &[BUCKETS]);
+        assert_derived(FILE, "RECIPROCAL_SHIFT", &[RECIPROCAL_SHIFT]);
+    }
+}

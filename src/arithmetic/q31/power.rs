@@ -56,7 +56,8 @@ pub(super) fn lift(exponent: Q31Exponent, disc: Q31Disc) -> [Q31; 3] {
     [x, y, nearest((z >> 32) as u32)]
 }
 
-/// -ln z of a direction: from z near the horizon, from x and y near the pole, where z has rounded to 1.
+/// -ln z of a direction: from z near the horizon, from x and y near the pole, where z has rounded
+/// to 1.
 fn log_z([x, y, z]: [Q31; 3]) -> Scaled {
     let s2 = length_squared(x, y);
     if s2 >> 63 == 0 {
