@@ -100,7 +100,15 @@ const fn shifted(n: u64) -> (u64, u32) {
 
 #[cfg(test)]
 mod tests {
-    use super::root_by;
+    use super::{SEEDS, root_by};
+
+    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/committed.rs"));
+    const FILE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/fixed.txt"));
+
+    #[test]
+    fn seeds_are_those_of_the_script() {
+        assert_derived(FILE, "SEEDS", &SEEDS);
+    }
 
     /// By either kind of product.
     fn root(n: u64) -> u32 {

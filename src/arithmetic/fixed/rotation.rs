@@ -246,6 +246,21 @@ mod tests {
     use super::*;
     use crate::bits::hash::mix;
 
+    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/committed.rs"));
+    const FILE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/fixed.txt"));
+
+    #[test]
+    fn tables_are_those_of_the_script() {
+        assert_derived(FILE, "QUARTER_PI", &[QUARTER_PI]);
+        assert_derived(FILE, "FOUR_OVER_PI", &[FOUR_OVER_PI as u64]);
+        assert_derived(FILE, "ARC", &[ARC]);
+        assert_derived(FILE, "NEAREST_PART", &[NEAREST_PART]);
+        assert_derived(FILE, "INWARD", &[INWARD]);
+        assert_derived(FILE, "TANGENTS", &TANGENTS);
+        assert_derived(FILE, "SINES", &SINES);
+        assert_derived(FILE, "RECIPROCALS", &RECIPROCALS);
+    }
+
     /// The reciprocal depends on the upper 20 bits alone: for the least and the largest `m` of
     /// each, it is not too large and not too small, and the product that chooses the part stays in
     /// its word.

@@ -6,7 +6,10 @@
 //! - 1 - exp(-x): below x = 2^-4 by its series, else by difference.
 //!
 //! Series stop where the next term is below 2^-38: what is left is less than a hundredth of an LSB
-//! of Q31.
+//! of Q31. All variables of 64 bits are in units of 2^-64 unless a comment or a suffix says
+//! another.
+//!
+//! tests/derive/fixed.py derives the tables and constants.
 
 use super::wide::high_64;
 
@@ -17,17 +20,18 @@ pub(in crate::arithmetic) struct Scaled {
     pub(in crate::arithmetic) exponent: i32,
 }
 
-/// ln 2 in units of 2^-64.
+/// ln 2 in units of 2^-64, floor.
 const LN_2: u64 = 0xb172_17f7_d1cf_79ab;
-/// 1 / ln 2 in units of 2^-63.
+/// 1 / ln 2 in units of 2^-63, floor.
 const LOG2_E: u64 = 0xb8aa_3b29_5c17_f0bb;
 
-/// 1 / n in units of 2^-64.
+/// 1 / n in units of 2^-64, floor (for n = 2^k one less).
 const fn over(n: u64) -> u64 {
     u64::MAX / n
 }
 
-/// The product of 1 / 2^15 for the lowest m of a part of [1/2, 1), rounded up: m c >= 1.
+/// c in units of 2^-15: 1 / m for the lowest m of a part of [1/2, 1), rounded up, so that m c >= 1.
+/// The lowest m is (64 + part) / 128.
 const fn factor(part: usize) -> u64 {
     ((1 << 22) as u64).div_ceil(64 + part as u64)
 }
@@ -37,7 +41,7 @@ static LOGARITHMS: [u64; 64] = {
     let mut table = [0; 64];
     let mut part = 0;
     while part < 64 {
-        // 2 atanh w, w = (c - 1) / (c + 1).
+        // 2 atanh w, w = (c - 1) / (c + 1) in units of 2^-63; c and one in units of 2^-15.
         let (c, one) = (factor(part) as u128, 1_u128 << 15);
         let w = ((c - one) << 63) / (c + one);
         let (mut power, mut sum, mut odd) = (w << 1, 0, 1);
@@ -57,6 +61,7 @@ static POWERS: [u64; 32] = {
     let mut table = [0; 32];
     let mut j = 0;
     while j < 32 {
+        // The series of exp(-x), x = j ln 2 / 32; all in units of 2^-63.
         let x = (LN_2 as i128 >> 1) * j as i128 / 32;
         let (mut power, mut sum, mut order) = (1_i128 << 63, 0, 1);
         while power != 0 {
@@ -132,8 +137,10 @@ pub(in crate::arithmetic) const fn log(x: u64, rest: u64) -> Scaled {
     let rest = if rest == 0 { 1 } else { rest };
     let zeros = rest.leading_zeros();
     let normal = rest << zeros;
+    // m = 1 - x scaled to [1/2, 1): 6 bits below its top bit are the part.
     let part = (normal >> 57 & 63) as usize;
-    // 1 + u of 62 bits.
+    // 48 bits of m times c in 2^-15: 1 + u in units of 2^-63, less 1, and u in units of 2^-64 of
+    // which the last is 0.
     let u = ((normal >> 16) * factor(part)).wrapping_sub(1 << 63) << 1;
     // ln(1 + u) = u (1 - u/2 + u^2/3 - u^3/4 + u^4/5 - u^5/6)
     let h = over(5) - high_64(u, over(6));
@@ -154,6 +161,7 @@ pub(in crate::arithmetic) const fn exp(x: Scaled) -> u64 {
     }
     // x / ln 2 in units of 2^-57.
     let binary = high_64(x.floor(58), LOG2_E);
+    // Its bits: 57 and up are n, 52 to 56 are j, and those below, times ln 2, are y.
     let y = high_64((binary & ((1 << 52) - 1)) << 7, LN_2);
     // 1 - exp(-y) = y (1 - y/2 + y^2/6 - y^3/24 + y^4/120 - y^5/720)
     let h = over(120) - high_64(y, over(720));
@@ -161,6 +169,7 @@ pub(in crate::arithmetic) const fn exp(x: Scaled) -> u64 {
     let h = over(6) - high_64(y, h);
     let h = over(2) - high_64(y, h);
     let fall = y - high_64(y, high_64(y, h));
+    // 2^(-j/32) exp(-y) in units of 2^-63.
     let power = POWERS[(binary >> 52 & 31) as usize];
     let power = power - high_64(power, fall);
     match binary >> 57 {
@@ -193,4 +202,21 @@ pub(in crate::arithmetic) const fn fall(x: Scaled, exp: u64) -> Scaled {
     let h = over(6) - high_64(small, h);
     let h = over(2) - high_64(small, h);
     Scaled::new(x.mantissa - high_64(x.mantissa, high_64(small, h)), x.exponent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/committed.rs"));
+    const FILE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/fixed.txt"));
+
+    #[test]
+    fn tables_are_those_of_the_script() {
+        assert_derived(FILE, "LN_2", &[LN_2]);
+        assert_derived(FILE, "LOG2_E", &[LOG2_E]);
+        assert_derived(FILE, "FACTORS", &core::array::from_fn::<_, 64, _>(factor));
+        assert_derived(FILE, "LOGARITHMS", &LOGARITHMS);
+        assert_derived(FILE, "POWERS", &POWERS);
+    }
 }

@@ -12,9 +12,9 @@
 //!
 //! | where | sin theta / r | function |
 //! | --- | --- | --- |
-//! | r^2 < 1/2 | sqrt l sqrt g spread | [`power_near_pole`] |
-//! | r^2 >= 1/2, lambda < 1 | (1 / r) sqrt L sqrt g spread | [`power_above_half`] |
-//! | r^2 >= 1/2, lambda >= 1 | (1 / r) sqrt(1 - z^2) | [`power_below_half`] |
+//! | r^2 < 1/2 | sqrt l sqrt g spread | [`factor_near_pole`] |
+//! | r^2 >= 1/2, lambda < 1 | (1 / r) sqrt L sqrt g spread | [`sine_above_half`] |
+//! | r^2 >= 1/2, lambda >= 1 | (1 / r) sqrt(1 - z^2) | [`sine_below_half`] |
 //!
 //! where "half" is z = 1/2. The second has three scales of sqrt L ([`root_of_log`]).
 //!
@@ -32,11 +32,11 @@ use crate::arithmetic::q31::Q31Exponent;
 /// 2 ln 2 in 2^-30, to the nearest.
 const TWICE_LN_2_Q30: u128 = 1_488_522_236;
 
-/// The largest sine of [`power_above_half`], in units of 2^-16 (or of 2^-16 2^-n: see there).
+/// The largest sine of [`sine_above_half`], in the units that [`lifted_by_sine`] takes it in.
 ///
-/// The tables round, so a sine that is nearly 1 may come out as 1 or more, which has no place in 16
-/// bits and would leave the disc. Three units below 2^16 are more than what the rounding of 1 / r
-/// and of the factor adds in [`lifted_by_sine`], whose product would leave its word with one more.
+/// The true sine is below 2^16, and a rounded one may reach it. [`lifted_by_sine`] multiplies a
+/// component by sine / r, which rounding makes up to 1.6 units larger: its product leaves its word
+/// with 0xffff on some circle, and with 0xfffe on none. One unit is in reserve.
 const LARGEST_SINE: u32 = 0xfffd;
 
 /// Half an LSB of Q15 in 2^-30.
@@ -64,16 +64,17 @@ impl Q15Exponent {
         let e_plus_1_q32 = e.to_bits() as u128 + (1 << 32);
         let reciprocal_q63 = ((1_u128 << 95) / e_plus_1_q32) as u64;
         // 1, of e = 0, becomes 1 - 2^-16: 2^63 has one digit more than the others.
-        let is_1 = reciprocal_q63 >> 63 != 0;
-        let (scale, zeros) = normal(if is_1 { reciprocal_q63 - 1 } else { reciprocal_q63 });
-        // The top bit of a reciprocal in 2^-63 is worth 2; `scale`'s is worth 1/2 without a shift.
-        // A quotient of 2^-32 is 0 after 31 shifts as well.
-        let shift = if zeros < 32 { zeros - 1 } else { 31 };
+        let below_1_q63 =
+            if reciprocal_q63 >> 63 == 0 { reciprocal_q63 } else { reciprocal_q63 - 1 };
+        let (scale, zeros) = normal(below_1_q63);
         // 2^-30 2^-63 2^-1 = 2^-94, and the root of it 2^-47.
         let spread_q47 = (2 * TWICE_LN_2_Q30 * reciprocal_q63 as u128).isqrt() as u64;
-        // The top bit of 2^-47 in 64 bits is worth 2^16; `spread`'s is worth 1 without a shift.
-        let (spread, zeros) = normal(spread_q47);
-        let spread_shift = zeros - 16;
+        let (spread, spread_zeros) = normal(spread_q47);
+        // The top bit of a word of 2^-63 is worth 1, and that of `scale` 1/2 without a shift. A
+        // quotient of 2^-32 is 0 after 31 shifts as well.
+        let shift = if zeros < 32 { zeros - 1 } else { 31 };
+        // The top bit of a word of 2^-47 is worth 2^16, and that of `spread` 1 without a shift.
+        let spread_shift = spread_zeros - 16;
         Self { e, scale, shift, spread, spread_shift, wide: Q31Exponent::new(e) }
     }
 
@@ -137,9 +138,9 @@ const fn lifted(disc: Q15Disc, factor: u32, shift: u32, z: Q15) -> [Q15; 3] {
 /// The disc point times (1 / r) sin theta, for r^2 >= 1/2 and sin theta = sine 2^-14 2^-shift < 1;
 /// and z.
 ///
-/// The product is below 2^32: with 1 / r exact it is at most 2^16 sine, and the three units that
-/// sine is from 2^16, at least, are more than what rounding adds. At last `half_q30` is added: half
-/// an LSB, or nothing where the rim is near.
+/// The product is below 2^32: with 1 / r exact it is at most 2^16 sine, and the two units that sine
+/// is from 2^16, at least, are more than what rounding adds. At last `half_q30` is added: half an
+/// LSB, or nothing where the rim is near.
 #[inline(always)]
 const fn lifted_by_sine(disc: Q15Disc, sine: u32, shift: u32, half_q30: u32, z: Q15) -> [Q15; 3] {
     // The table is of the half of 1 / r, over r^2 = 1/2 + x / 2.
@@ -174,8 +175,11 @@ pub(in crate::arithmetic) const fn cosine(disc: Q15Disc) -> [Q15; 3] {
 /// z = (1 - r^2)^(1 / (e + 1)).
 #[inline]
 pub(in crate::arithmetic) const fn power(exponent: Q15Exponent, disc: Q15Disc) -> [Q15; 3] {
-    if disc.r2 >> 31 == 0 {
-        return power_near_pole(exponent, disc);
+    let r2_q32 = disc.r2;
+    let spread = exponent.spread as u32;
+    if r2_q32 >> 31 == 0 {
+        let (factor, lambda_q32) = factor_near_pole(exponent, r2_q32, spread);
+        return lifted(disc, factor, exponent.spread_shift as u32, height(EXP.falling(lambda_q32)));
     }
     let log_q16 = log_of_complement(disc);
     let lambda_q16 = exponent.divide(log_q16);
@@ -183,16 +187,24 @@ pub(in crate::arithmetic) const fn power(exponent: Q15Exponent, disc: Q15Disc) -
     let power_q32 = EXP.falling(lambda_q16 << 16);
     let whole = lambda_q16 >> 16;
     if whole == 0 {
-        return power_above_half(exponent, disc, log_q16, lambda_q16, power_q32);
+        // sqrt g and sqrt L.
+        let bend_q16 = BEND.falling(lambda_q16 << 16) >> 16;
+        let (root, scale) = root_of_log(log_q16);
+        let sine = sine_above_half(root, bend_q16, spread);
+        let shift = exponent.spread_shift as u32 + 1 - scale;
+        return lifted_by_sine(disc, sine, shift, HALF_LSB_Q30, height(power_q32));
     }
-    power_below_half(disc, whole, power_q32)
+    // z <= 1/2. 2^-16 is 2^-14 2^-2. Where e is small, sin theta is 1 but for the last digits over
+    // a wide rim: all is rounded toward zero.
+    let z_q32 = (power_q32 - HALF) >> whole;
+    let sine_q16 = sine_below_half(z_q32);
+    let z = height(z_q32 + HALF);
+    lifted_by_sine(disc, sine_q16, 2, 0, if z.to_bits() == 0 { Q15::LSB } else { z })
 }
 
-/// r^2 < 1/2, so L < 1: sin theta / r = sqrt l sqrt g spread.
+/// r^2 < 1/2, so L < 1: sin theta / r = sqrt l sqrt g spread in 2^-15 2^-spread_shift, and lambda.
 #[inline(always)]
-const fn power_near_pole(exponent: Q15Exponent, disc: Q15Disc) -> [Q15; 3] {
-    let spread = exponent.spread as u32;
-    let r2_q32 = disc.r2;
+const fn factor_near_pole(exponent: Q15Exponent, r2_q32: u32, spread: u32) -> (u32, u32) {
     // sqrt l; the table is of its half, over r^2 = x / 2.
     let pole_q15 = POLE.rising(r2_q32 << 1) >> 16;
     let l_q15 = (pole_q15 * pole_q15) >> 15;
@@ -202,9 +214,7 @@ const fn power_near_pole(exponent: Q15Exponent, disc: Q15Disc) -> [Q15; 3] {
     // sqrt g.
     let bend_q16 = BEND.falling(lambda_q32) >> 16;
     let root_q15 = (pole_q15 * bend_q16) >> 16;
-    // 2^-15 2^-spread_shift.
-    let factor = (root_q15 * spread) >> 15;
-    lifted(disc, factor, exponent.spread_shift as u32, height(EXP.falling(lambda_q32)))
+    ((root_q15 * spread) >> 15, lambda_q32)
 }
 
 /// L = -log2(1 - r^2) in 2^-16, of r^2 >= 1/2.
@@ -235,41 +245,35 @@ const fn root_of_log(log_q16: u32) -> (u32, u32) {
     (ROOT.rising(part_q32) >> 16, scale)
 }
 
-/// r^2 >= 1/2 and lambda < 1, so z > 1/2: sin theta = sqrt L sqrt g spread. `power_q32` is z plus
-/// [`HALF`].
+/// Where z > 1/2: sin theta = sqrt L sqrt g spread. `root` is sqrt L in 2^-16 2^scale, and the sine
+/// is in 2^-14 2^-(spread_shift + 1 - scale).
 #[inline(always)]
-const fn power_above_half(
-    exponent: Q15Exponent,
-    disc: Q15Disc,
-    log_q16: u32,
-    lambda_q16: u32,
-    power_q32: u32,
-) -> [Q15; 3] {
-    let spread = exponent.spread as u32;
-    // sqrt g.
-    let bend_q16 = BEND.falling(lambda_q16 << 16) >> 16;
-    let (root, scale) = root_of_log(log_q16);
-    // 2^-16 2^scale, to the nearest.
+const fn sine_above_half(root: u32, bend_q16: u32, spread: u32) -> u32 {
+    // 2^-16 2^-16 2^scale, then 2^-16 2^scale, to the nearest.
     let product = (root * bend_q16 + (1 << 15)) >> 16;
-    // 2^-16 2^-15 2^-spread_shift 2^scale, then 2^-15 2^-spread_shift 2^scale, to the nearest: so
-    // 2^-14 2^-(spread_shift + 1 - scale).
+    // 2^-16 2^-15 2^-spread_shift 2^scale, then 2^-15 2^-spread_shift 2^scale, to the nearest.
     let sine = (product * spread + (1 << 15)) >> 16;
-    let sine = if sine < LARGEST_SINE { sine } else { LARGEST_SINE };
-    let shift = exponent.spread_shift as u32 + 1 - scale;
-    lifted_by_sine(disc, sine, shift, HALF_LSB_Q30, height(power_q32))
+    if sine < LARGEST_SINE { sine } else { LARGEST_SINE }
 }
 
-/// r^2 >= 1/2 and lambda >= 1, so z <= 1/2 and nothing cancels in sin^2 theta = 1 - z^2. `whole` is
-/// the floor of lambda, and `power_q32` is 2^-(the rest) plus [`HALF`].
-///
-/// Where e is small, sin theta is 1 except for the last digits over a wide rim, so everything is
-/// rounded toward zero.
+/// Where z <= 1/2, nothing cancels in sin^2 theta = 1 - z^2: sin theta in 2^-16, toward zero.
 #[inline(always)]
-const fn power_below_half(disc: Q15Disc, whole: u32, power_q32: u32) -> [Q15; 3] {
-    let z_q32 = (power_q32 - HALF) >> whole;
+const fn sine_below_half(z_q32: u32) -> u32 {
     let z2_q32 = (z_q32 >> 16) * (z_q32 >> 16);
-    // 1 - z^2, less 2^-32: the complement needs no constant. In 2^-16 = 2^-14 2^-2: a shift of 2.
-    let sine_q16 = (ROOT.rising(!z2_q32) - HALF) >> 16;
-    let z = height(z_q32 + HALF);
-    lifted_by_sine(disc, sine_q16, 2, 0, if z.to_bits() == 0 { Q15::LSB } else { z })
+    // 1 - z^2, less 2^-32: the complement needs no constant.
+    (ROOT.rising(!z2_q32) - HALF) >> 16
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/committed.rs"));
+    const FILE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/q15.txt"));
+
+    #[test]
+    fn constants_are_those_of_the_script() {
+        assert_derived(FILE, "TWICE_LN_2_Q30", &[TWICE_LN_2_Q30 as u64]);
+        assert_derived(FILE, "LARGEST_SINE", &[LARGEST_SINE]);
+    }
 }

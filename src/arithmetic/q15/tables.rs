@@ -210,21 +210,35 @@ pub(super) struct Lines {
     pub(super) d: u16,
 }
 
-/// Buckets of t in [0, 1]; a crude quotient is up to 1/33 larger, and still below [`LINES`]'s end.
+/// Buckets of t in [0, 1]. A crude quotient is up to 1/33 larger: 62 is the most for which it stays
+/// below 64, the end of [`LINES`].
 pub(super) const BUCKETS: u32 = 62;
 
 /// How much smaller than 1 the circle of the lines is, so that no line leaves the disc where a
-/// crude quotient takes it beyond its bucket: the smallest value that passes the exhaustive test.
+/// crude quotient takes it beyond its bucket.
+///
+/// The least multiple of 0.05 LSBs with which no point of the disc or the uniform lobe is outside.
+/// `python3 tests/derive/q15.py --search` finds it, and a point outside with 0.60; the exhaustive
+/// test (tests/q15) confirms it.
 const INWARD: f64 = 0.65 / 32_768.0;
 
+/// How many units of 2^-15 a line's slope may be from the tangent's.
+///
+/// Not an optimum. A line is within 0.75 LSB over its bucket; within 1.13 without a choice of
+/// slopes, and within 0.65 with 48. From 4 on [`INWARD`] is the same, and another value changes
+/// bytes: `q15.py --search`.
+const SLOPES: i64 = 24;
+
 /// The line of slope near `slope` that comes nearest to `height` at `centre`, in 2^-15: intercept
-/// and slope. Slopes a few units off barely tilt the line, but reach heights between units.
+/// and slope. A slope a few units off tilts the line little, and reaches heights between units at
+/// the centre.
 const fn line(height: f64, slope: f64, centre: f64) -> [f64; 2] {
     let (mut best, mut least) = ([0.0, 0.0], 1.0);
     let nearest = (slope * 32_768.0) as i64;
-    let mut s = nearest - 24;
-    while s <= nearest + 24 {
+    let mut s = nearest - SLOPES;
+    while s <= nearest + SLOPES {
         let exact = height * 32_768.0 - s as f64 * centre;
+        // To the nearest; the sum is positive, for a cast cuts toward zero.
         let intercept = ((exact + 65_536.5) as i64 - 65_536) as f64;
         let error = if intercept > exact { intercept - exact } else { exact - intercept };
         if error < least {
@@ -235,6 +249,7 @@ const fn line(height: f64, slope: f64, centre: f64) -> [f64; 2] {
     best
 }
 
+/// Those of [`BUCKETS`] buckets, and two beyond for crude quotients.
 pub(super) const LINES: [Lines; 64] = {
     let mut lines = [Lines { a: 0, b: 0, c: 0, d: 0 }; 64];
     let mut i = 0;
@@ -250,10 +265,11 @@ pub(super) const LINES: [Lines; 64] = {
     lines
 };
 
-/// The reciprocals' units: buckets in 2^-22.
+/// The reciprocals' units: buckets in 2^-22. With 2^-23 they would not have 16 bits.
 pub(super) const RECIPROCAL_SHIFT: u32 = 22;
 
-/// BUCKETS / a of the middle of each interval of the top 8 bits of a divisor, from 2^12 on.
+/// BUCKETS / a of the middle of each interval of the top 8 bits of a divisor, from 2^12 on; to the
+/// nearest.
 pub(super) const RECIPROCAL: [u16; 256] = {
     let mut table = [0; 256];
     let mut i = 16;
@@ -264,3 +280,26 @@ pub(super) const RECIPROCAL: [u16; 256] = {
     }
     table
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/committed.rs"));
+    const FILE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/q15.txt"));
+
+    #[test]
+    fn tables_are_those_of_the_script() {
+        assert_derived(FILE, "ROOT", &ROOT.0);
+        assert_derived(FILE, "RECIPROCAL_ROOT", &RECIPROCAL_ROOT.0);
+        assert_derived(FILE, "LOG", &LOG.0);
+        assert_derived(FILE, "EXP", &EXP.0);
+        assert_derived(FILE, "POLE", &POLE.0);
+        assert_derived(FILE, "BEND", &BEND.0);
+        let lines = LINES.map(|line| [line.a, line.b, line.c, line.d]);
+        assert_derived(FILE, "LINES", lines.as_flattened());
+        assert_derived(FILE, "RECIPROCAL", &RECIPROCAL);
+        assert_derived(FILE, "BUCKETS", &[BUCKETS]);
+        assert_derived(FILE, "RECIPROCAL_SHIFT", &[RECIPROCAL_SHIFT]);
+    }
+}
