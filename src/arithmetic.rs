@@ -30,7 +30,7 @@ mod fixed;
 mod float;
 
 macro_rules! modules {
-    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $facts:tt;)*) => {$(
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident $facts:tt;)*) => {$(
         #[$cfg]
         mod $file;
         #[$cfg]

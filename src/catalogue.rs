@@ -160,7 +160,7 @@ pub fn power_maps<A: Arithmetic>(
 }
 
 macro_rules! arithmetics {
-    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $facts:tt;)*) => {
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident $facts:tt;)*) => {
         /// The names of all arithmetics that a build with every feature has, in the order of visits.
         pub const ARITHMETICS: &[&str] = &[$($name),*];
 

@@ -39,7 +39,7 @@ pub mod invariant;
 mod target;
 
 macro_rules! arithmetics {
-    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $facts:tt;)*) => {$(
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident $facts:tt;)*) => {$(
         #[$cfg]
         pub use arithmetic::$arithmetic;
     )*};

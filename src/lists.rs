@@ -43,27 +43,29 @@ macro_rules! made_by {
     };
 }
 
-/// The arithmetics: file, type and name; and for the tests how many bits of a coordinate it reads,
-/// the error of its density at a given point, and the crate whose version decides its bytes.
+/// The arithmetics: file, type, name, and whether it is of floats, which effects take.
+///
+/// For the tests: how many bits of a coordinate it reads, the error of its density at a given point,
+/// and the crate whose version decides its bytes.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! for_each_arithmetic {
     ($callback:ident $($first:tt)*) => {
         $callback! { $($first)*
             #[cfg(feature = "libm")]
-            libm_f64 LibmF64 "libm-f64" (32, f64::EPSILON / 2.0, Some("libm"));
+            libm_f64 LibmF64 "libm-f64" float (32, f64::EPSILON / 2.0, Some("libm"));
             #[cfg(feature = "libm")]
-            libm_f32 LibmF32 "libm-f32" (32, f32::EPSILON as f64 / 2.0, Some("libm"));
+            libm_f32 LibmF32 "libm-f32" float (32, f32::EPSILON as f64 / 2.0, Some("libm"));
             #[cfg(all())]
-            fast_f32 FastF32 "fast-f32" (32, f32::EPSILON as f64 / 2.0, None);
+            fast_f32 FastF32 "fast-f32" float (32, f32::EPSILON as f64 / 2.0, None);
             #[cfg(feature = "micromath")]
-            micromath_f32 MicromathF32 "micromath-f32" (32, 1e-4, Some("micromath"));
+            micromath_f32 MicromathF32 "micromath-f32" float (32, 1e-4, Some("micromath"));
             #[cfg(feature = "fixed-point")]
-            q31 Q31 "q31" (32, 1.0 / 2_147_483_648.0, None);
+            q31 Q31 "q31" fixed (32, 1.0 / 2_147_483_648.0, None);
             #[cfg(feature = "fixed-point")]
-            q15 Q15 "q15" (16, 1.0 / 32_768.0, None);
+            q15 Q15 "q15" fixed (16, 1.0 / 32_768.0, None);
             #[cfg(feature = "fixed-point")]
-            q15_div Q15Div "q15-div" (16, 1.0 / 32_768.0, None);
+            q15_div Q15Div "q15-div" fixed (16, 1.0 / 32_768.0, None);
         }
     };
 }

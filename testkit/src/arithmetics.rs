@@ -18,7 +18,7 @@ macro_rules! test_each_arithmetic {
         }
     };
     (@ $run:ident
-        $(#[$cfg:meta] $test:ident $arithmetic:ident $name:literal $facts:tt;)*) => {
+        $(#[$cfg:meta] $test:ident $arithmetic:ident $name:literal $kind:ident $facts:tt;)*) => {
         $(
             #[$cfg]
             #[test]
@@ -47,7 +47,7 @@ pub trait EachArithmetic {
 
 macro_rules! implement {
     ($(
-        #[$cfg:meta] $file:ident $arithmetic:ident $name:literal
+        #[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident
         ($bits:literal, $error:expr, $library:expr);
     )*) => {
         $(

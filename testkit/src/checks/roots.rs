@@ -8,12 +8,18 @@ pub trait EachRoot {
     fn each<A: Root<Real: Real> + Tested>(&mut self);
 }
 
-pub fn every_root(visitor: &mut impl EachRoot) {
-    visitor.each::<hemidisc::LibmF64>();
-    visitor.each::<hemidisc::LibmF32>();
-    visitor.each::<hemidisc::FastF32>();
-    visitor.each::<hemidisc::MicromathF32>();
+macro_rules! roots {
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident $facts:tt;)*) => {
+        pub fn every_root(visitor: &mut impl EachRoot) {
+            $(roots!(@$kind visitor $arithmetic);)*
+        }
+    };
+    (@float $visitor:ident $arithmetic:ident) => {
+        $visitor.each::<hemidisc::$arithmetic>()
+    };
+    (@fixed $visitor:ident $arithmetic:ident) => {};
 }
+hemidisc::for_each_arithmetic!(roots);
 
 /// The numbers of the arithmetic nearest to those given; infinite where it has none as large.
 pub fn nearest<A: Tested, const N: usize>(numbers: [f64; N]) -> [A::Real; N] {
