@@ -78,13 +78,30 @@ pub(crate) struct Angle {
 /// rounded.
 #[inline(always)]
 pub(crate) const fn fold_angle(u: u32) -> Angle {
+    let Quarter { below, left, quarter } = fold_to_quarter(u);
+    let steep = ((quarter << 2).cast_signed() >> 31).cast_unsigned();
+    Angle { below, left, steep, within: quarter ^ steep >> 2 }
+}
+
+/// The angle 2 pi u folded to a quarter turn, each mask all ones or 0.
+#[derive(Clone, Copy)]
+pub(crate) struct Quarter {
+    /// Whether y is negative.
+    pub(crate) below: u32,
+    /// Whether x is negative.
+    pub(crate) left: u32,
+    /// The cell within the quarter, of 30 bits; the highest says which octant.
+    pub(crate) quarter: u32,
+}
+
+/// Folds an angle, but not to an octant: for what branches there.
+#[inline(always)]
+pub(crate) const fn fold_to_quarter(u: u32) -> Quarter {
     let below = (u.cast_signed() >> 31).cast_unsigned();
     // 31 bits of a half turn: the quarter, the octant in it, 29 bits within.
     let half = u ^ below;
     let left = ((half << 1).cast_signed() >> 31).cast_unsigned();
-    let quarter = half ^ left >> 1;
-    let steep = ((quarter << 2).cast_signed() >> 31).cast_unsigned();
-    Angle { below, left, steep, within: quarter ^ steep >> 2 }
+    Quarter { below, left, quarter: half ^ left >> 1 }
 }
 
 /// The cell of `value`; the multiplication by a power of two is exact, the cast rounds down.

@@ -2,9 +2,8 @@
 
 use crate::Visitor;
 use core::hint::black_box;
-use hemidisc::arithmetic::Root;
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
-use hemidisc::{Concentric, Error, FastF32, Frame, LibmF32, MicromathF32};
+use hemidisc::{Concentric, Density, Error, FastF32, Frame, LibmF32, MicromathF32};
 
 /// A function that fills by an effect, under its path.
 macro_rules! fill {
@@ -71,7 +70,7 @@ macro_rules! effects {
 
 fn through<M>(lens: &ThinLens<M, f32>, uv: [u32; 2]) -> [f32; 6]
 where
-    M: hemidisc::Map<Point = [f32; 2], Arithmetic: Root<Real = f32>>,
+    M: Density<Point = [f32; 2]>,
 {
     let ray = lens.ray([0.5, -0.25], uv);
     let [[x, y, _], [ahead_x, ahead_y, _]] = [ray.origin, ray.direction];

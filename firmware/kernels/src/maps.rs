@@ -35,7 +35,7 @@ macro_rules! power {
         fn prepare(
             exponent: <$arithmetic as Arithmetic>::Parameter,
         ) -> Option<(Power<$arithmetic, Polar<$arithmetic>>, Power<$arithmetic>)> {
-            Some((Power::<$arithmetic, _>::polar(exponent).ok()?, Power::new(exponent).ok()?))
+            Some((Power::over(exponent, Polar::new()).ok()?, Power::new(exponent).ok()?))
         }
         if let Some((polar, concentric)) = prepare(black_box($exponent)) {
             fill!(
@@ -81,7 +81,7 @@ macro_rules! maps {
         );
         fill!(
             $visitor, concat!("map/uniform/polar/", $name), Uniform<$arithmetic, Polar<$arithmetic>>,
-            [Slot<$arithmetic>; 3], Uniform::polar()
+            [Slot<$arithmetic>; 3], Uniform::over(Polar::new())
         );
         fill!(
             $visitor, concat!("map/uniform/concentric/", $name), Uniform<$arithmetic>,
@@ -89,7 +89,7 @@ macro_rules! maps {
         );
         fill!(
             $visitor, concat!("map/cosine/polar/", $name), Cosine<$arithmetic, Polar<$arithmetic>>,
-            [Slot<$arithmetic>; 3], Cosine::polar()
+            [Slot<$arithmetic>; 3], Cosine::over(Polar::new())
         );
         fill!(
             $visitor, concat!("map/cosine/concentric/", $name), Cosine<$arithmetic>,

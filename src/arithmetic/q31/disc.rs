@@ -4,7 +4,7 @@ use crate::arithmetic::fixed::Q31;
 use crate::arithmetic::fixed::root::root;
 use crate::arithmetic::fixed::rotation::{cos_sin, rotate};
 use crate::arithmetic::fixed::wide::product;
-use crate::coordinates::{Angle, fold, fold_angle};
+use crate::coordinates::{Quarter, fold, fold_to_quarter};
 
 /// A point of the disc before it gets its signs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,9 +85,11 @@ const fn r2_of<const R2: bool>(m: u32) -> u64 {
 
 #[inline(always)]
 pub(super) const fn polar([u, v]: [u32; 2]) -> Q31Disc {
-    let Angle { below, left, steep, within } = fold_angle(u);
+    let Quarter { below, left, quarter } = fold_to_quarter(u);
+    let steep = quarter & 1 << 29 != 0;
+    let within = if steep { quarter ^ 0x3fff_ffff } else { quarter };
     let (long, short) = cos_sin(2 * within + 1);
-    let (cos, sin) = if steep != 0 { (short, long) } else { (long, short) };
+    let (cos, sin) = if steep { (short, long) } else { (long, short) };
     let r2 = (2 * v as u64 + 1) << 31;
     let r = root(r2);
     // The floor of the product, like the others.
