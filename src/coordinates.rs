@@ -20,6 +20,8 @@ use crate::error::{Axis, Error};
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coordinates(pub [u32; 2]);
 
 impl Coordinates {

@@ -4,6 +4,8 @@
 //! and shuffle the index: two Sobol pairs that share an order leave 12 of the 16 cells of a 4 x 4
 //! grid of (u of one, u of the other) empty (B. Burley 2020, section 5; after OpenQMC's domains).
 
+#[cfg(any(feature = "serde", feature = "defmt"))]
+use crate::bits::hash::release;
 use crate::bits::{
     hash::{absorb, words},
     owen::scramble,
@@ -23,6 +25,8 @@ use core::ops::Range;
 /// let bounce = pixel.child(2).child(LIGHT);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Domain {
     state: [u32; 2],
 }
@@ -70,6 +74,19 @@ impl Domain {
         self.hashed(*b"keys")
     }
 
+    /// The domain of which these are the first two [`keys`](Self::keys).
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn of_keys(keys: [u32; 2]) -> Self {
+        Self::unhashed(keys, *b"keys")
+    }
+
+    /// The domain of which these are the first two words hashed for a purpose.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    const fn unhashed(words: [u32; 2], purpose: [u8; 4]) -> Self {
+        let [b, a] = release(words, u32::from_be_bytes(purpose));
+        Self { state: [a, b] }
+    }
+
     /// Hashes the state for a purpose; its words swap places, so that no purpose is a child's key.
     const fn hashed(self, purpose: [u8; 4]) -> [u32; 3] {
         let [a, b] = self.state;
@@ -79,6 +96,8 @@ impl Domain {
 
 /// The domain of a split, and which of its indices belong to a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Split {
     domain: Domain,
     ways: u32,
@@ -115,6 +134,12 @@ pub struct Stream {
 }
 
 impl Stream {
+    /// The domain whose stream it is.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn domain(&self) -> Domain {
+        Domain::unhashed([self.order, self.key], *b"time")
+    }
+
     /// The value of any index, a `u32` cell like a coordinate.
     #[inline]
     pub const fn at(self, index: u32) -> u32 {

@@ -112,6 +112,12 @@ impl<S: Sequence, M: Map> Points<S, M> {
         self.range(edge(shard.into())..edge(u64::from(shard) + 1))
     }
 
+    /// The index, in the sequence, of the first point.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn start(&self) -> u32 {
+        self.start
+    }
+
     /// How many points there are.
     pub const fn len(&self) -> u32 {
         self.len

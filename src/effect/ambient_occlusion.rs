@@ -27,6 +27,13 @@ pub struct AmbientOcclusion<A: Arithmetic> {
     reach: A::Real,
 }
 
+impl<A: Arithmetic> AmbientOcclusion<A> {
+    /// How far to look.
+    pub const fn reach(&self) -> A::Real {
+        self.reach
+    }
+}
+
 impl<A: Arithmetic<Real: Real>> AmbientOcclusion<A> {
     /// Occlusion by what is nearer than `reach`, which may be infinite.
     ///
@@ -34,11 +41,6 @@ impl<A: Arithmetic<Real: Real>> AmbientOcclusion<A> {
     /// [`Error::Distance`] for a reach that is not above 0.
     pub fn new(reach: A::Real) -> Result<Self, Error> {
         Ok(Self { lobe: Cosine::new(), reach: checked_distance(reach)? })
-    }
-
-    /// How far to look.
-    pub const fn reach(&self) -> A::Real {
-        self.reach
     }
 
     /// A direction about the third axis of a frame.

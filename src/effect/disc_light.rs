@@ -37,6 +37,9 @@ pub struct DiscLight<A: Arithmetic> {
 
 /// A point of a light as a receiver sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct LightSample<R> {
     /// On the light.
     pub point: [R; 3],
@@ -50,6 +53,28 @@ pub struct LightSample<R> {
     /// cos t / d^2, per square of the scene's unit: times the intensity along the axis and the receiver's cosine it is
     /// irradiance. 0 behind the light and in its plane, which is as thick as coordinates round.
     pub weight: R,
+}
+
+impl<A: Arithmetic> DiscLight<A> {
+    /// The centre of the disc.
+    pub const fn centre(&self) -> [A::Real; 3] {
+        self.centre
+    }
+
+    /// The frame whose third axis is the disc's normal.
+    pub const fn frame(&self) -> &Frame<A::Real> {
+        &self.frame
+    }
+
+    /// The radius of the disc.
+    pub const fn radius(&self) -> A::Real {
+        self.radius
+    }
+
+    /// Whether the light shines to both sides.
+    pub const fn is_two_sided(&self) -> bool {
+        self.two_sided
+    }
 }
 
 impl<A: Root> DiscLight<A> {

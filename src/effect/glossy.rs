@@ -10,7 +10,10 @@ use crate::frame::{Frame, dot};
 use crate::map::{Density, Power};
 
 /// What becomes of a direction below the surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum BelowHorizon {
     /// There is no sample. The mean over those there are is of the lobe's upper part alone, scaled to 1: no energy
     /// is lost, and the caller counts.
@@ -36,6 +39,18 @@ pub enum BelowHorizon {
 pub struct Glossy<A: Arithmetic> {
     lobe: Power<A>,
     below: BelowHorizon,
+}
+
+impl<A: Arithmetic> Glossy<A> {
+    /// The exponent as it was given.
+    pub fn exponent(&self) -> A::Parameter {
+        self.lobe.exponent()
+    }
+
+    /// What becomes of a direction below the surface.
+    pub const fn below_horizon(&self) -> BelowHorizon {
+        self.below
+    }
 }
 
 impl<A: Arithmetic<Real: Real>> Glossy<A> {

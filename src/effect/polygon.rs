@@ -20,9 +20,24 @@ use crate::map::{Density, Invert, Map, Polar};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polygon<A: Arithmetic, const N: usize> {
+    /// Kept to be written.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    rotation: u32,
     corners: [[A::Real; 2]; N],
     /// 1 / area.
     density: A::Real,
+}
+
+impl<A: Arithmetic, const N: usize> Polygon<A, N> {
+    /// The corners, counterclockwise.
+    pub const fn corners(&self) -> &[[A::Real; 2]; N] {
+        &self.corners
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn rotation(&self) -> u32 {
+        self.rotation
+    }
 }
 
 impl<A: Arithmetic<Real: Real>, const N: usize> Polygon<A, N> {
@@ -37,7 +52,12 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Polygon<A, N> {
         });
         let blades = corners.iter().zip(corners.iter().cycle().skip(1));
         let twice = blades.fold(A::Real::ZERO, |sum, (a, b)| sum + cross(*a, *b));
-        Self { corners, density: A::Real::TWO / twice }
+        Self {
+            #[cfg(any(feature = "serde", feature = "defmt"))]
+            rotation,
+            corners,
+            density: A::Real::TWO / twice,
+        }
     }
 
     /// The corners of a blade, counterclockwise.

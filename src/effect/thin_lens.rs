@@ -27,12 +27,16 @@ use crate::map::{Density, Map};
 pub struct ThinLens<M, R> {
     aperture: M,
     radius: R,
+    focal_distance: R,
     /// 1 / focal distance.
     nearness: R,
 }
 
 /// A ray from a lens, in camera space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct LensRay<R> {
     /// On the lens, z = 0.
     pub origin: [R; 3],
@@ -42,6 +46,23 @@ pub struct LensRay<R> {
     pub density: R,
     /// 1: a pixel is the mean over its lens.
     pub weight: R,
+}
+
+impl<M, R: Copy> ThinLens<M, R> {
+    /// The map onto the aperture, a part of the unit disc.
+    pub const fn aperture(&self) -> &M {
+        &self.aperture
+    }
+
+    /// The radius of the lens.
+    pub const fn radius(&self) -> R {
+        self.radius
+    }
+
+    /// The distance at which the lens is in focus.
+    pub const fn focal_distance(&self) -> R {
+        self.focal_distance
+    }
 }
 
 impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
@@ -56,7 +77,7 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
         if !(radius * nearness).finite() {
             return Err(Error::Distance { value: focal_distance.into() });
         }
-        Ok(Self { aperture, radius, nearness })
+        Ok(Self { aperture, radius, focal_distance, nearness })
     }
 
     /// The point of the lens for a pair of coordinates.

@@ -61,6 +61,21 @@ impl Correlated {
         }
     }
 
+    /// Columns of the grid.
+    pub const fn columns(&self) -> u32 {
+        self.grid.columns()
+    }
+
+    /// Rows of the grid.
+    pub const fn rows(&self) -> u32 {
+        self.grid.rows()
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(&self) -> u32 {
+        self.jitter.seed()
+    }
+
     /// The point of any index; the set repeats after m n points.
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {

@@ -34,6 +34,11 @@ impl Hammersley {
         }
     }
 
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn count(&self) -> u32 {
+        self.strata.count()
+    }
+
     /// The point of any index; the set repeats after `count` points.
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {

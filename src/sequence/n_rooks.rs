@@ -49,6 +49,16 @@ impl NRooks {
         }
     }
 
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(&self) -> u32 {
+        self.jitter.seed()
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn count(&self) -> u32 {
+        self.strata.count()
+    }
+
     /// The point of any index; the set repeats after `count` points.
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {

@@ -6,6 +6,8 @@
 
 use super::Sequence;
 use crate::bits::hash::shift;
+#[cfg(any(feature = "serde", feature = "defmt"))]
+use crate::bits::hash::unmix;
 
 /// The R2 sequence: (i + 1) (0xC13FA9A9, 0x91E10DA5) modulo 2^32, with an optional additive shift.
 ///
@@ -25,6 +27,11 @@ impl R2 {
     /// Seed 0 is the textbook sequence; any other shifts both axes by a hash of the seed.
     pub const fn new(seed: u32) -> Self {
         Self { shift: shift(seed) }
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(&self) -> u32 {
+        unmix(self.shift[0])
     }
 
     /// The point of any index.

@@ -24,6 +24,11 @@ impl Random {
         Self { pairs: Pairs::new(seed, *b"rand") }
     }
 
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(&self) -> u32 {
+        self.pairs.seed(*b"rand")
+    }
+
     /// The point of any index.
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {

@@ -41,6 +41,16 @@ impl Regular {
         }
     }
 
+    /// Columns of the grid.
+    pub const fn columns(&self) -> u32 {
+        self.grid.columns()
+    }
+
+    /// Rows of the grid.
+    pub const fn rows(&self) -> u32 {
+        self.grid.rows()
+    }
+
     /// The point of any index; the set repeats after m n points.
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {

@@ -7,6 +7,8 @@
 use super::Sequence;
 use super::walk::{Walk, walks};
 use crate::bits::hash::shift;
+#[cfg(any(feature = "serde", feature = "defmt"))]
+use crate::bits::hash::unmix;
 use crate::block::{BLOCK, Block};
 
 /// The Sobol (0, 2)-sequence, with an optional digital (xor) shift.
@@ -27,6 +29,11 @@ impl Sobol {
     /// Seed 0 is the textbook sequence; any other shifts both axes by a hash of the seed.
     pub const fn new(seed: u32) -> Self {
         Self { shift: shift(seed) }
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(&self) -> u32 {
+        unmix(self.shift[0])
     }
 
     /// The point of any index.

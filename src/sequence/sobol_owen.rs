@@ -41,6 +41,12 @@ impl SobolOwen {
         Self { order, axes: [u, v] }
     }
 
+    /// The domain whose keys these are.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn domain(&self) -> Domain {
+        Domain::of_keys([self.order, self.axes[0]])
+    }
+
     /// The point of any index.
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
