@@ -115,6 +115,7 @@ pub trait Arithmetic:
 
     /// The concentric map's point, stored. Apart from [`concentric`](Self::concentric), for the
     /// compiler does not always remove an r^2 that nobody reads.
+    #[must_use]
     #[doc(hidden)]
     #[inline(always)]
     fn concentric_point(uv: [u32; 2]) -> [Self::Real; 2] {
@@ -122,6 +123,7 @@ pub trait Arithmetic:
     }
 
     /// The polar map's point, stored.
+    #[must_use]
     #[doc(hidden)]
     #[inline(always)]
     fn polar_point(uv: [u32; 2]) -> [Self::Real; 2] {

@@ -26,12 +26,14 @@ pub struct Coordinates(pub [u32; 2]);
 
 impl Coordinates {
     /// The centres of the two cells, each in (0, 1), rounded toward zero to 24 bits.
+    #[must_use]
     #[inline]
     pub fn to_f32(self) -> [f32; 2] {
         self.0.map(centre_f32)
     }
 
     /// The centres of the two cells, each in (0, 1), exactly.
+    #[must_use]
     #[inline]
     pub fn to_f64(self) -> [f64; 2] {
         self.0.map(centre_f64)

@@ -33,17 +33,20 @@ pub struct Domain {
 
 impl Domain {
     /// The root domain of a frame, scene or test.
+    #[must_use]
     pub const fn new(seed: u32) -> Self {
         Self { state: [0x6865_6d69, 0x6469_7363] }.child(seed)
     }
 
     /// The domain of `key` under this one: an effect, a bounce, a frame number. Different keys
     /// always give different domains.
+    #[must_use]
     pub const fn child(self, key: u32) -> Self {
         Self { state: absorb(self.state, key) }
     }
 
     /// The domain of a pixel under this one; no child's.
+    #[must_use]
     pub const fn pixel(self, x: u32, y: u32) -> Self {
         let [a, b] = self.state;
         Self { state: absorb(absorb([b, a], x), y) }
@@ -53,17 +56,20 @@ impl Domain {
     /// [`child(key)`](Self::child).
     ///
     /// The branches of all samples together are one stream: as even as if it had not been split.
+    #[must_use]
     pub const fn split(self, key: u32, ways: u32) -> Split {
         Split { domain: self.child(key), ways }
     }
 
     /// A well-mixed seed for a sequence that takes one.
+    #[must_use]
     pub const fn seed(self) -> u32 {
         self.hashed(*b"seed")[0]
     }
 
     /// A one-dimensional stream of this domain, independent of the points drawn in it: the choice
     /// of a light, the time in a shutter.
+    #[must_use]
     pub const fn stream(self) -> Stream {
         let [order, key, _] = self.hashed(*b"time");
         Stream { order, key }
@@ -105,6 +111,7 @@ pub struct Split {
 
 impl Split {
     /// The domain that the branches of all samples share.
+    #[must_use]
     pub const fn domain(self) -> Domain {
         self.domain
     }
@@ -141,12 +148,14 @@ impl Stream {
     }
 
     /// The value of any index, a `u32` cell like a coordinate.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> u32 {
         scramble(scramble(index, self.order).reverse_bits(), self.key)
     }
 
     /// The value of any index as one of `ways` equally likely choices, 0 for `ways` = 0.
+    #[must_use]
     #[inline]
     pub const fn choose(self, index: u32, ways: u32) -> u32 {
         ((self.at(index) as u64 * ways as u64) >> 32) as u32

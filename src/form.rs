@@ -7,10 +7,9 @@
 //! [`Stored`](crate::sequence::Stored) has no form: it borrows its points, and the slice can be written.
 
 use crate::Domain;
-use crate::arithmetic::{Arithmetic, Real, Root};
+use crate::arithmetic::{Arithmetic, Real};
 use crate::domain::Stream;
 use crate::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
-use crate::error::Error;
 use crate::frame::{About, Frame};
 use crate::map::disc::DiscMap;
 use crate::map::hemisphere::{CosineLobe, Hemisphere, PowerLobe, UniformLobe};
@@ -59,7 +58,7 @@ macro_rules! forms {
                 fn deserialize<W: serde::Deserializer<'de>>(source: W) -> Result<Self, W::Error> {
                     let form::$name { $($field),* } =
                         form::$name::<$($kind),*>::deserialize(source)?;
-                    let made: Result<Self, Error> = $make;
+                    let made: Result<Self, crate::error::Error> = $make;
                     made.map_err(serde::de::Error::custom)
                 }
             }
@@ -137,7 +136,7 @@ fn points<S: Sequence, M: Map>(
     map: M,
     start: u32,
     len: u32,
-) -> Result<Points<S, M>, Error> {
+) -> Result<Points<S, M>, crate::error::Error> {
     match (start.checked_add(len), len.checked_sub(1)) {
         (Some(end), _) => Points::with_range(sequence, map, start..end),
         (None, Some(more)) if start.checked_add(more) == Some(u32::MAX) => {
@@ -145,7 +144,7 @@ fn points<S: Sequence, M: Map>(
         }
         _ => {
             let size = sequence.size().map_or(1 << 32, u64::from);
-            Err(Error::Range { start: start.into(), count: len.into(), len: size })
+            Err(crate::error::Error::Range { start: start.into(), count: len.into(), len: size })
         }
     }
 }
@@ -158,7 +157,7 @@ forms! {
             focal_distance: R = Self::focal_distance
         }
         => Self::new(aperture, radius, focal_distance);
-    [A: Arithmetic] DiscLight: DiscLight<A>, where [A: Root]
+    [A: Arithmetic] DiscLight: DiscLight<A>, where [A: crate::arithmetic::Root]
         {
             centre: [A::Real; 3] = Self::centre,
             frame: Frame<A::Real> = |light| *light.frame(),

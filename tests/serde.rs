@@ -174,7 +174,8 @@ fn what_a_constructor_refuses_is_not_read() {
     refused::<Correlated>(grid, reason(Correlated::new(1 << 16, 1 << 16, 7)));
     refused::<NRooks>("(count:0,seed:7)", reason(NRooks::new(0, 7)));
     refused::<Hammersley>("(count:0)", reason(Hammersley::new(0)));
-    let shuffled = format!("(sequence:(count:0),domain:{})", ron::to_string(&Domain::new(0)).unwrap());
+    let shuffled =
+        format!("(sequence:(count:0),domain:{})", ron::to_string(&Domain::new(0)).unwrap());
     refused::<Shuffled<Hammersley>>(&shuffled, Error::EmptySet);
 
     let exponent = "(exponent:-1,disc:())";

@@ -6,6 +6,7 @@
 //! - [`absorb`]: three Feistel rounds of `mix` that take a key into a 64-bit state.
 
 /// A bijection of `u32` that sends 0 to 0 and flips each output bit with probability about 1/2.
+#[must_use]
 #[inline]
 pub const fn mix(mut x: u32) -> u32 {
     x ^= x >> 16;
@@ -17,6 +18,7 @@ pub const fn mix(mut x: u32) -> u32 {
 
 /// Takes `key` into a state of two words: a bijection of the state for each key, and different
 /// keys always lead to different states.
+#[must_use]
 #[inline]
 pub const fn absorb([mut l, mut r]: [u32; 2], key: u32) -> [u32; 2] {
     l ^= mix(r.wrapping_add(key));
@@ -46,6 +48,7 @@ pub(crate) const fn release([mut l, mut r]: [u32; 2], key: u32) -> [u32; 2] {
 }
 
 /// Three independent words from a state, for a purpose.
+#[must_use]
 #[inline]
 pub const fn words(state: [u32; 2], purpose: u32) -> [u32; 3] {
     let [a, b] = absorb(state, purpose);

@@ -29,6 +29,7 @@ pub struct AmbientOcclusion<A: Arithmetic> {
 
 impl<A: Arithmetic> AmbientOcclusion<A> {
     /// How far to look.
+    #[must_use]
     pub const fn reach(&self) -> A::Real {
         self.reach
     }
@@ -44,6 +45,7 @@ impl<A: Arithmetic<Real: Real>> AmbientOcclusion<A> {
     }
 
     /// A direction about the third axis of a frame.
+    #[must_use]
     #[inline]
     pub fn sample(&self, normal: &Frame<A::Real>, uv: [u32; 2]) -> DirectionSample<A::Real> {
         let (local, density) = self.lobe.sample_with_density(uv);
@@ -51,6 +53,7 @@ impl<A: Arithmetic<Real: Real>> AmbientOcclusion<A> {
     }
 
     /// 1 where nothing is met, or beyond the reach; else 0.
+    #[must_use]
     #[inline]
     pub fn openness(&self, met: Option<A::Real>) -> A::Real {
         match met {

@@ -57,21 +57,25 @@ pub struct LightSample<R> {
 
 impl<A: Arithmetic> DiscLight<A> {
     /// The centre of the disc.
+    #[must_use]
     pub const fn centre(&self) -> [A::Real; 3] {
         self.centre
     }
 
     /// The frame whose third axis is the disc's normal.
+    #[must_use]
     pub const fn frame(&self) -> &Frame<A::Real> {
         &self.frame
     }
 
     /// The radius of the disc.
+    #[must_use]
     pub const fn radius(&self) -> A::Real {
         self.radius
     }
 
     /// Whether the light shines to both sides.
+    #[must_use]
     pub const fn is_two_sided(&self) -> bool {
         self.two_sided
     }
@@ -99,17 +103,20 @@ impl<A: Root> DiscLight<A> {
     }
 
     /// The same light, shining to both sides.
+    #[must_use]
     pub const fn two_sided(self) -> Self {
         Self { two_sided: true, ..self }
     }
 
     /// pi r^2.
+    #[must_use]
     #[inline]
     pub fn area(&self) -> A::Real {
         self.radius * self.radius / A::Real::FRAC_1_PI
     }
 
     /// The density of its points, per unit of area; at most MAX.
+    #[must_use]
     #[inline]
     pub fn area_density(&self) -> A::Real {
         reciprocal(self.area())
@@ -117,6 +124,7 @@ impl<A: Root> DiscLight<A> {
 
     /// The light's point for a pair of coordinates, as seen from a receiver; one so near that d^2 is no normal number
     /// is on the light.
+    #[must_use]
     #[inline]
     pub fn sample(&self, receiver: [A::Real; 3], uv: [u32; 2]) -> LightSample<A::Real> {
         let [x_axis, y_axis, normal] = self.frame.axes();
@@ -138,6 +146,7 @@ impl<A: Root> DiscLight<A> {
 
     /// The density of a direction from a receiver, per steradian; 0 where it misses the light, and of a light of
     /// radius 0, which no direction but the sampled ones meets.
+    #[must_use]
     #[inline]
     pub fn density(&self, receiver: [A::Real; 3], direction: [A::Real; 3]) -> A::Real {
         let normal = self.frame.axes()[2];

@@ -43,11 +43,13 @@ pub struct Glossy<A: Arithmetic> {
 
 impl<A: Arithmetic> Glossy<A> {
     /// The exponent as it was given.
+    #[must_use]
     pub fn exponent(&self) -> A::Parameter {
         self.lobe.exponent()
     }
 
     /// What becomes of a direction below the surface.
+    #[must_use]
     pub const fn below_horizon(&self) -> BelowHorizon {
         self.below
     }
@@ -65,6 +67,7 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
     /// Where light that arrives along a unit vector leaves a surface of a unit normal; none is rejected.
     ///
     /// Either side of a surface may be hit: the normal is taken to be on the side that the light comes from.
+    #[must_use]
     #[inline]
     pub fn sample(
         &self,
@@ -95,6 +98,7 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
 
     /// The density of leaving along a direction, per steradian: of [`Reject`](BelowHorizon::Reject) that before
     /// the samples below are taken out.
+    #[must_use]
     #[inline]
     pub fn density(
         &self,

@@ -30,6 +30,7 @@ pub struct Polygon<A: Arithmetic, const N: usize> {
 
 impl<A: Arithmetic, const N: usize> Polygon<A, N> {
     /// The corners, counterclockwise.
+    #[must_use]
     pub const fn corners(&self) -> &[[A::Real; 2]; N] {
         &self.corners
     }
@@ -44,6 +45,7 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Polygon<A, N> {
     const AT_LEAST_3: () = assert!(N >= 3, "a polygon has at least 3 corners");
 
     /// A polygon with a corner at an angle, in 2^-32 turns from the x axis.
+    #[must_use]
     pub fn new(rotation: u32) -> Self {
         let () = Self::AT_LEAST_3;
         let corners: [_; N] = core::array::from_fn(|corner| {

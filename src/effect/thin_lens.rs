@@ -50,16 +50,19 @@ pub struct LensRay<R> {
 
 impl<M, R: Copy> ThinLens<M, R> {
     /// The map onto the aperture, a part of the unit disc.
+    #[must_use]
     pub const fn aperture(&self) -> &M {
         &self.aperture
     }
 
     /// The radius of the lens.
+    #[must_use]
     pub const fn radius(&self) -> R {
         self.radius
     }
 
     /// The distance at which the lens is in focus.
+    #[must_use]
     pub const fn focal_distance(&self) -> R {
         self.focal_distance
     }
@@ -81,6 +84,7 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
     }
 
     /// The point of the lens for a pair of coordinates.
+    #[must_use]
     #[inline]
     pub fn sample(&self, uv: [u32; 2]) -> [R; 2] {
         self.aperture.sample(uv).map(|component| component * self.radius)
@@ -88,6 +92,7 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
 
     /// The ray that leaves the lens at the point for a pair of coordinates, of those that meet in focus the ray
     /// (d_x, d_y, 1) through its centre.
+    #[must_use]
     #[inline]
     pub fn ray(&self, [d_x, d_y]: [R; 2], uv: [u32; 2]) -> LensRay<R>
     where
@@ -105,6 +110,7 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
 
     /// Radius of the disc that the rays of a pixel fill at a finite distance ahead: r |1 - distance / f|, in the lens's
     /// unit, at most MAX. Divided by the distance it is that of the blur in the image plane z = 1.
+    #[must_use]
     #[inline]
     pub fn circle_of_confusion(&self, distance: R) -> R {
         capped((self.radius - distance * (self.radius * self.nearness)).magnitude())

@@ -40,6 +40,7 @@ impl Hammersley {
     }
 
     /// The point of any index; the set repeats after `count` points.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let index = repeat(index, self.strata.count());

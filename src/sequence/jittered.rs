@@ -47,11 +47,13 @@ impl Jittered {
     }
 
     /// Columns of the grid.
+    #[must_use]
     pub const fn columns(&self) -> u32 {
         self.grid.columns()
     }
 
     /// Rows of the grid.
+    #[must_use]
     pub const fn rows(&self) -> u32 {
         self.grid.rows()
     }
@@ -62,6 +64,7 @@ impl Jittered {
     }
 
     /// The point of any index; the set repeats after m n points.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let index = repeat(index, self.grid.size());

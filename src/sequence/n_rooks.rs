@@ -60,6 +60,7 @@ impl NRooks {
     }
 
     /// The point of any index; the set repeats after `count` points.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let count = self.strata.count();

@@ -25,6 +25,7 @@ pub struct R2 {
 
 impl R2 {
     /// Seed 0 is the textbook sequence; any other shifts both axes by a hash of the seed.
+    #[must_use]
     pub const fn new(seed: u32) -> Self {
         Self { shift: shift(seed) }
     }
@@ -35,6 +36,7 @@ impl R2 {
     }
 
     /// The point of any index.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let step = index.wrapping_add(1);

@@ -20,6 +20,7 @@ pub struct Random {
 
 impl Random {
     /// The stream of `seed`; every seed, 0 too, is hashed.
+    #[must_use]
     pub const fn new(seed: u32) -> Self {
         Self { pairs: Pairs::new(seed, *b"rand") }
     }
@@ -30,6 +31,7 @@ impl Random {
     }
 
     /// The point of any index.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         self.pairs.at(index)

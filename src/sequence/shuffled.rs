@@ -32,6 +32,7 @@ pub struct Shuffled<S> {
 
 impl<S> Shuffled<S> {
     /// The set that is shuffled.
+    #[must_use]
     pub const fn sequence(&self) -> &S {
         &self.sequence
     }
@@ -44,6 +45,7 @@ impl<S> Shuffled<S> {
 
 impl<S: Sequence> Shuffled<S> {
     /// `sequence`, in the order of `domain`.
+    #[must_use]
     pub const fn new(sequence: S, domain: Domain) -> Self {
         let [order, ..] = domain.keys();
         Self {

@@ -27,6 +27,7 @@ pub struct Sobol {
 
 impl Sobol {
     /// Seed 0 is the textbook sequence; any other shifts both axes by a hash of the seed.
+    #[must_use]
     pub const fn new(seed: u32) -> Self {
         Self { shift: shift(seed) }
     }
@@ -37,6 +38,7 @@ impl Sobol {
     }
 
     /// The point of any index.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let [u, v] = textbook(index);
