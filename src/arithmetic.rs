@@ -105,6 +105,7 @@ pub trait Arithmetic:
 
     /// The concentric map's point, stored. Separate from [`concentric`](Self::concentric), because
     /// the compiler does not always remove an unused r^2.
+    #[must_use]
     #[doc(hidden)]
     #[inline(always)]
     fn concentric_point(uv: [u32; 2]) -> [Self::Real; 2] {
@@ -112,6 +113,7 @@ pub trait Arithmetic:
     }
 
     /// The polar map's point, stored.
+    #[must_use]
     #[doc(hidden)]
     #[inline(always)]
     fn polar_point(uv: [u32; 2]) -> [Self::Real; 2] {

@@ -50,6 +50,7 @@ pub trait ArithmeticVisitor {
 }
 
 /// Columns and rows of the grid that holds `count` points: floor(sqrt count) columns.
+#[must_use]
 pub const fn grid(count: u32) -> [u32; 2] {
     let columns = count.isqrt();
     [columns, if columns == 0 { 0 } else { count.div_ceil(columns) }]

@@ -20,16 +20,20 @@ use crate::error::{Axis, Error};
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coordinates(pub [u32; 2]);
 
 impl Coordinates {
     /// The centres of the two cells, each in (0, 1), rounded toward zero to 24 bits.
+    #[must_use]
     #[inline]
     pub fn to_f32(self) -> [f32; 2] {
         self.0.map(centre_f32)
     }
 
     /// The centres of the two cells, each in (0, 1), exactly.
+    #[must_use]
     #[inline]
     pub fn to_f64(self) -> [f64; 2] {
         self.0.map(centre_f64)

@@ -5,6 +5,8 @@
 //! a 4 x 4 grid of (u of one, u of the other) empty (B. Burley 2020, section 5; after OpenQMC's
 //! domains).
 
+#[cfg(any(feature = "serde", feature = "defmt"))]
+use crate::bits::hash::release;
 use crate::bits::{
     hash::{absorb, words},
     owen::scramble,
@@ -24,23 +26,28 @@ use core::ops::Range;
 /// let bounce = pixel.child(2).child(LIGHT);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Domain {
     state: [u32; 2],
 }
 
 impl Domain {
     /// The root domain of a frame, scene or test.
+    #[must_use]
     pub const fn new(seed: u32) -> Self {
         Self { state: [0x6865_6d69, 0x6469_7363] }.child(seed)
     }
 
     /// The domain of `key` under this one: an effect, a bounce, a frame number. Different keys
     /// always give different domains.
+    #[must_use]
     pub const fn child(self, key: u32) -> Self {
         Self { state: absorb(self.state, key) }
     }
 
     /// The domain of a pixel under this one. No child has the same domain.
+    #[must_use]
     pub const fn pixel(self, x: u32, y: u32) -> Self {
         let [a, b] = self.state;
         Self { state: absorb(absorb([b, a], x), y) }
@@ -50,17 +57,20 @@ impl Domain {
     /// [`child(key)`](Self::child).
     ///
     /// The branches of all samples together are one stream, as even as an unsplit one.
+    #[must_use]
     pub const fn split(self, key: u32, ways: u32) -> Split {
         Split { domain: self.child(key), ways }
     }
 
     /// A well-mixed seed for a sequence that takes one.
+    #[must_use]
     pub const fn seed(self) -> u32 {
         self.hashed(*b"seed")[0]
     }
 
     /// A one-dimensional stream of this domain, independent of the points drawn in it: the choice
     /// of a light, the time in a shutter.
+    #[must_use]
     pub const fn stream(self) -> Stream {
         let [order, key, _] = self.hashed(*b"time");
         Stream { order, key }
@@ -69,6 +79,19 @@ impl Domain {
     /// Three independent keys: for the order and for each axis.
     pub(crate) const fn keys(self) -> [u32; 3] {
         self.hashed(*b"keys")
+    }
+
+    /// The domain of which these are the first two [`keys`](Self::keys).
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn of_keys(keys: [u32; 2]) -> Self {
+        Self::unhashed(keys, *b"keys")
+    }
+
+    /// The domain of which these are the first two words hashed for a purpose.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    const fn unhashed(words: [u32; 2], purpose: [u8; 4]) -> Self {
+        let [b, a] = release(words, u32::from_be_bytes(purpose));
+        Self { state: [a, b] }
     }
 
     /// Hashes the state for a purpose; its words swap places, so that no purpose is a child's key.
@@ -80,6 +103,8 @@ impl Domain {
 
 /// The domain of a split, and which of its indices belong to a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Split {
     domain: Domain,
     ways: u32,
@@ -87,6 +112,7 @@ pub struct Split {
 
 impl Split {
     /// The domain that the branches of all samples share.
+    #[must_use]
     pub const fn domain(self) -> Domain {
         self.domain
     }
@@ -117,13 +143,21 @@ pub struct Stream {
 }
 
 impl Stream {
+    /// The domain whose stream it is.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn domain(&self) -> Domain {
+        Domain::unhashed([self.order, self.key], *b"time")
+    }
+
     /// The value of any index, a `u32` cell like a coordinate.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> u32 {
         scramble(scramble(index, self.order).reverse_bits(), self.key)
     }
 
     /// The value of any index as one of `ways` equally likely choices, 0 for `ways` = 0.
+    #[must_use]
     #[inline]
     pub const fn choose(self, index: u32, ways: u32) -> u32 {
         ((self.at(index) as u64 * ways as u64) >> 32) as u32

@@ -32,6 +32,9 @@ use crate::error::Error;
 
 /// A direction with its density and weight.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct DirectionSample<R> {
     /// Of unit length, in world space.
     pub direction: [R; 3],

@@ -4,6 +4,8 @@ use core::fmt;
 
 /// An axis of the unit square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Axis {
     /// The first coordinate.
     U,
@@ -25,6 +27,8 @@ impl fmt::Display for Axis {
 /// Every variant carries the offending value; its [`Display`](fmt::Display) form is one line that
 /// also says what is accepted.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Error {
     /// A coordinate that is not a number in [0, 1).

@@ -78,18 +78,21 @@ impl<R: Real> Frame<R> {
     }
 
     /// The three axes; the third is the vector that the frame was built about.
+    #[must_use]
     #[inline]
     pub const fn axes(&self) -> [[R; 3]; 3] {
         [self.x, self.y, self.z]
     }
 
     /// A vector from the frame's coordinates to the world's.
+    #[must_use]
     #[inline]
     pub fn to_world(&self, [x, y, z]: [R; 3]) -> [R; 3] {
         core::array::from_fn(|i| x * self.x[i] + y * self.y[i] + z * self.z[i])
     }
 
     /// A vector from the world's coordinates to the frame's.
+    #[must_use]
     #[inline]
     pub fn to_local(&self, world: [R; 3]) -> [R; 3] {
         [dot(self.x, world), dot(self.y, world), dot(self.z, world)]
@@ -116,16 +119,19 @@ pub struct About<M, R> {
 
 impl<M, R> About<M, R> {
     /// The directions of a map in world space: its z axis is the third axis of the frame.
+    #[must_use]
     pub const fn new(map: M, frame: Frame<R>) -> Self {
         Self { map, frame }
     }
 
     /// The map, about its own z axis.
+    #[must_use]
     pub const fn map(&self) -> &M {
         &self.map
     }
 
     /// The frame.
+    #[must_use]
     pub const fn frame(&self) -> &Frame<R> {
         &self.frame
     }

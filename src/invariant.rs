@@ -60,6 +60,8 @@ pub use strata::{cells, net, rooks};
 
 /// A broken promise.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Violation {
     /// A component or a density that is not a finite number.

@@ -35,6 +35,8 @@ pub mod bits;
 #[doc(hidden)]
 pub mod catalogue;
 mod error;
+#[cfg(any(feature = "serde", feature = "defmt"))]
+mod form;
 pub mod invariant;
 mod target;
 

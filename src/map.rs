@@ -56,6 +56,7 @@ pub trait Map: Copy {
     type Point: Point;
 
     /// The point of a pair of coordinates; every bit pattern is valid.
+    #[must_use]
     fn sample(&self, uv: [u32; 2]) -> Self::Point;
 
     /// The points of a block of coordinates, one array a component: the same bits as
@@ -77,9 +78,11 @@ pub trait Density: Map {
     ///
     /// It is positive and finite at every sampled point, except one that a frame has turned
     /// ([`About`](crate::frame::About)).
+    #[must_use]
     fn density(&self, point: Self::Point) -> Component<Self>;
 
     /// The point of a pair of coordinates and its density: what a weight f / p needs.
+    #[must_use]
     #[inline]
     fn sample_with_density(&self, uv: [u32; 2]) -> (Self::Point, Component<Self>) {
         let point = self.sample(uv);
@@ -93,6 +96,7 @@ pub trait Invert: Density {
     /// recovered.
     ///
     /// Total: a point off the disc or the hemisphere, or NaN, gives some coordinates.
+    #[must_use]
     fn invert(&self, point: Self::Point) -> [u32; 2];
 }
 

@@ -41,6 +41,7 @@ pub struct Points<S, M> {
 
 impl<S: Sequence, M: Map> Points<S, M> {
     /// All points of a set, or the first 2^32 - 1 of an endless sequence.
+    #[must_use]
     pub fn new(sequence: S, map: M) -> Self {
         Self { sequence, map, start: 0, len: sequence.size().unwrap_or(u32::MAX) }
     }
@@ -113,33 +114,45 @@ impl<S: Sequence, M: Map> Points<S, M> {
         self.range(edge(shard.into())..edge(u64::from(shard) + 1))
     }
 
+    /// The index, in the sequence, of the first point.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn start(&self) -> u32 {
+        self.start
+    }
+
     /// How many points there are.
+    #[must_use]
     pub const fn len(&self) -> u32 {
         self.len
     }
 
     /// Whether there are none.
+    #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.len == 0
     }
 
     /// The sequence.
+    #[must_use]
     pub const fn sequence(&self) -> &S {
         &self.sequence
     }
 
     /// The map.
+    #[must_use]
     pub const fn map(&self) -> &M {
         &self.map
     }
 
     /// The `index`-th point, if there is one; O(1).
+    #[must_use]
     #[inline]
     pub fn get(&self, index: u32) -> Option<M::Point> {
         Some(self.map.sample(self.coordinates(index)?))
     }
 
     /// The coordinates of the `index`-th point on the unit square, if there is one.
+    #[must_use]
     #[inline]
     pub fn coordinates(&self, index: u32) -> Option<[u32; 2]> {
         (index < self.len).then(|| self.sequence.at(self.start.wrapping_add(index)))

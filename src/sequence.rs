@@ -48,9 +48,11 @@ use crate::error::Error;
 /// overridden as long as it gives the same bits.
 pub trait Sequence: Copy {
     /// How many points there are; `None` for a sequence that has one for every `u32` index.
+    #[must_use]
     fn size(&self) -> Option<u32>;
 
     /// The point of any index. A set repeats from its [`size`](Self::size) on.
+    #[must_use]
     fn at(&self, index: u32) -> [u32; 2];
 
     /// The points from index `start` on, without end; the index wraps after `u32::MAX`.

@@ -56,18 +56,21 @@ pub struct FastF32;
 
 impl FastF32 {
     /// The concentric map: what [`Concentric`](crate::Concentric) gives, as a `const fn`.
+    #[must_use]
     #[inline(always)]
     pub const fn concentric(uv: [u32; 2]) -> [f32; 2] {
         disc::concentric::<BRANCHES>(uv).point
     }
 
     /// The polar map: what [`Polar`](crate::Polar) gives, as a `const fn`.
+    #[must_use]
     #[inline(always)]
     pub const fn polar(uv: [u32; 2]) -> [f32; 2] {
         disc::polar::<BRANCHES>(uv).point
     }
 
     /// Square root of x in [0, MAX], which `core` does not have.
+    #[must_use]
     #[inline]
     pub const fn sqrt(x: f32) -> f32 {
         functions::sqrt(x)

@@ -20,6 +20,8 @@ macro_rules! number {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[cfg_attr(feature = "bytemuck", derive(bytemuck::Pod, bytemuck::Zeroable))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[repr(transparent)]
         pub struct $number($bits);
 
@@ -32,18 +34,21 @@ macro_rules! number {
             pub const MAX: Self = Self($bits::MAX);
 
             /// The number of a count of LSBs.
+            #[must_use]
             #[inline]
             pub const fn from_bits(bits: $bits) -> Self {
                 Self(bits)
             }
 
             /// The count of LSBs.
+            #[must_use]
             #[inline]
             pub const fn to_bits(self) -> $bits {
                 self.0
             }
 
             /// The same value, exactly.
+            #[must_use]
             #[inline]
             pub const fn to_f64(self) -> f64 {
                 self.0 as f64 * (1.0 / $one)
@@ -97,6 +102,7 @@ number! {
 
 impl Q15 {
     /// The same value, exactly.
+    #[must_use]
     #[inline]
     pub const fn to_f32(self) -> f32 {
         self.0 as f32 * (1.0 / 32_768.0)
@@ -113,6 +119,7 @@ impl From<Q15> for f32 {
 
 impl Q31 {
     /// The nearest `f32` toward zero, so that a point of the disc stays on it; by integers alone.
+    #[must_use]
     #[inline]
     pub const fn to_f32(self) -> f32 {
         self.to_f32_by::<COUNTS_ZEROS>()
@@ -151,15 +158,19 @@ impl Q31 {
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FixedExponent(u64);
 
 impl FixedExponent {
     /// The exponent of a count of 2^-32.
+    #[must_use]
     pub const fn from_bits(bits: u64) -> Self {
         Self(bits)
     }
 
     /// The count of 2^-32.
+    #[must_use]
     pub const fn to_bits(self) -> u64 {
         self.0
     }

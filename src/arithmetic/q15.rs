@@ -30,12 +30,14 @@ impl Q15 {
     /// static CENTRE: [Q15; 2] = Q15::concentric([1 << 31, 1 << 31]);
     /// assert_eq!(CENTRE, Concentric::<Q15>::new().sample([1 << 31, 1 << 31]));
     /// ```
+    #[must_use]
     #[inline(always)]
     pub const fn concentric(uv: [u32; 2]) -> [Self; 2] {
         disc::concentric(uv).store()
     }
 
     /// The polar map, as [`Polar`](crate::Polar) stores it.
+    #[must_use]
     #[inline(always)]
     pub const fn polar(uv: [u32; 2]) -> [Self; 2] {
         disc::polar(uv).store()

@@ -14,12 +14,14 @@ pub struct Q15Div;
 impl Q15Div {
     /// The concentric map, as [`Concentric`](crate::Concentric) stores it: for tables built at
     /// compile time.
+    #[must_use]
     #[inline(always)]
     pub const fn concentric(uv: [u32; 2]) -> [Q15; 2] {
         Self::disc(uv).store()
     }
 
     /// The polar map, as [`Polar`](crate::Polar) stores it.
+    #[must_use]
     #[inline(always)]
     pub const fn polar(uv: [u32; 2]) -> [Q15; 2] {
         Q15::polar(uv)

@@ -40,12 +40,14 @@ impl Q31 {
     /// static CENTRE: [Q31; 2] = Q31::concentric([1 << 31, 1 << 31]);
     /// assert_eq!(CENTRE, Concentric::<Q31>::new().sample([1 << 31, 1 << 31]));
     /// ```
+    #[must_use]
     #[inline(always)]
     pub const fn concentric(uv: [u32; 2]) -> [Self; 2] {
         disc::concentric::<false>(uv).store()
     }
 
     /// The polar map, as [`Polar`](crate::Polar) stores it.
+    #[must_use]
     #[inline(always)]
     pub const fn polar(uv: [u32; 2]) -> [Self; 2] {
         disc::polar(uv).store()

@@ -6,6 +6,7 @@
 //! - [`absorb`]: three Feistel rounds of `mix` that take a key into a 64-bit state.
 
 /// A bijection of `u32` that sends 0 to 0 and flips each output bit with probability about 1/2.
+#[must_use]
 #[inline]
 pub const fn mix(mut x: u32) -> u32 {
     x ^= x >> 16;
@@ -17,6 +18,7 @@ pub const fn mix(mut x: u32) -> u32 {
 
 /// Takes `key` into a state of two words: a bijection of the state for each key, and different
 /// keys always lead to different states.
+#[must_use]
 #[inline]
 pub const fn absorb([mut l, mut r]: [u32; 2], key: u32) -> [u32; 2] {
     l ^= mix(r.wrapping_add(key));
@@ -25,7 +27,28 @@ pub const fn absorb([mut l, mut r]: [u32; 2], key: u32) -> [u32; 2] {
     [l, r]
 }
 
+/// The number that [`mix`] sends to `x`.
+#[cfg(any(feature = "serde", feature = "defmt"))]
+pub(crate) const fn unmix(mut x: u32) -> u32 {
+    x ^= x >> 15 ^ x >> 30;
+    // The reciprocals of the factors of `mix` modulo 2^32.
+    x = x.wrapping_mul(0x3713_2227);
+    x ^= x >> 15 ^ x >> 30;
+    x = x.wrapping_mul(0x333c_4925);
+    x ^ (x >> 16)
+}
+
+/// The state into which [`absorb`] took `key`; of [`words`] the first two are such a state.
+#[cfg(any(feature = "serde", feature = "defmt"))]
+pub(crate) const fn release([mut l, mut r]: [u32; 2], key: u32) -> [u32; 2] {
+    l ^= mix(r.wrapping_add(0x7f4a_7c15));
+    r ^= mix(l.wrapping_add(0x9e37_79b9));
+    l ^= mix(r.wrapping_add(key));
+    [l, r]
+}
+
 /// Three independent words from a state, for a purpose.
+#[must_use]
 #[inline]
 pub const fn words(state: [u32; 2], purpose: u32) -> [u32; 3] {
     let [a, b] = absorb(state, purpose);
@@ -67,6 +90,12 @@ impl Pairs {
         Self { index, u, v }
     }
 
+    /// The seed of the pairs of a purpose.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(self, purpose: [u8; 4]) -> u32 {
+        release([self.index, self.u], u32::from_be_bytes(purpose))[0]
+    }
+
     /// Both axes hash the same hashed index, one under a sum and one under a xor, so that neither
     /// is a reordering of the other.
     #[inline(always)]
@@ -81,12 +110,25 @@ impl Pairs {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Jitter {
     key: u32,
+    /// Kept to be written: a key does not tell it.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    seed: u32,
 }
 
 impl Jitter {
     /// The jitter of a seed for a purpose, [`key`]'s.
     pub(crate) const fn new(seed: u32, purpose: [u8; 4]) -> Self {
-        Self { key: key(seed, purpose) }
+        Self {
+            key: key(seed, purpose),
+            #[cfg(any(feature = "serde", feature = "defmt"))]
+            seed,
+        }
+    }
+
+    /// The seed that it was made of.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(self) -> u32 {
+        self.seed
     }
 
     /// Below 2^16 each.
@@ -122,6 +164,19 @@ mod tests {
     fn mix_avalanches() {
         avalanche(mix);
         assert_eq!(mix(0), 0);
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    #[test]
+    fn what_was_hashed_is_found_again() {
+        let words = (0..1000_u32).map(|i| i.wrapping_mul(0x9e37_79b9)).chain([u32::MAX, 1 << 31]);
+        for word in words {
+            assert_eq!(unmix(mix(word)), word);
+            for state in [[word, 3], [!word, word]] {
+                assert_eq!(release(absorb(state, word ^ 5), word ^ 5), state);
+            }
+            assert_eq!(Pairs::new(word, *b"test").seed(*b"test"), word);
+        }
     }
 
     #[test]

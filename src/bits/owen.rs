@@ -11,6 +11,7 @@ use crate::block::{BLOCK, Block, Lanes};
 const MULTIPLIERS: [u32; 3] = [0x3d20_adea, 0x0552_6c56, 0x53a2_2864];
 
 /// Owen-scrambles `x`, whose bits are reversed: bit b of the result depends on bits 0..=b of `x`.
+#[must_use]
 #[inline(always)]
 pub const fn scramble_reversed(mut x: u32, seed: u32) -> u32 {
     x ^= x.wrapping_mul(MULTIPLIERS[0]);
@@ -22,6 +23,7 @@ pub const fn scramble_reversed(mut x: u32, seed: u32) -> u32 {
 
 /// Owen-scrambles `x` as a binary fraction: permutes dyadic intervals of every size among their
 /// siblings, so every net stays a net.
+#[must_use]
 #[inline(always)]
 pub const fn scramble(x: u32, seed: u32) -> u32 {
     scramble_reversed(x.reverse_bits(), seed).reverse_bits()

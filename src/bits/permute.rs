@@ -45,6 +45,7 @@ const SHORT: u32 = 8;
 /// places.sort();
 /// assert_eq!(places, [0, 1, 2, 3, 4]);
 /// ```
+#[must_use]
 #[inline]
 pub const fn permute(index: u32, len: u32, seed: u32) -> u32 {
     if index >= len {

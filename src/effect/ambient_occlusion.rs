@@ -28,6 +28,14 @@ pub struct AmbientOcclusion<A: Arithmetic> {
     reach: A::Real,
 }
 
+impl<A: Arithmetic> AmbientOcclusion<A> {
+    /// How far to look.
+    #[must_use]
+    pub const fn reach(&self) -> A::Real {
+        self.reach
+    }
+}
+
 impl<A: Arithmetic<Real: Real>> AmbientOcclusion<A> {
     /// Occlusion by what is nearer than `reach`, which may be infinite.
     ///
@@ -37,12 +45,8 @@ impl<A: Arithmetic<Real: Real>> AmbientOcclusion<A> {
         Ok(Self { lobe: Cosine::new(), reach: checked_distance(reach)? })
     }
 
-    /// How far to trace.
-    pub const fn reach(&self) -> A::Real {
-        self.reach
-    }
-
     /// A direction about the third axis of a frame.
+    #[must_use]
     #[inline]
     pub fn sample(&self, normal: &Frame<A::Real>, uv: [u32; 2]) -> DirectionSample<A::Real> {
         let (local, density) = self.lobe.sample_with_density(uv);
@@ -50,6 +54,7 @@ impl<A: Arithmetic<Real: Real>> AmbientOcclusion<A> {
     }
 
     /// 1 where nothing is hit, or only beyond the reach; else 0.
+    #[must_use]
     #[inline]
     pub fn openness(&self, met: Option<A::Real>) -> A::Real {
         match met {

@@ -37,6 +37,9 @@ pub struct DiscLight<A: Arithmetic> {
 
 /// A point of a light as a receiver sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct LightSample<R> {
     /// On the light.
     pub point: [R; 3],
@@ -51,6 +54,32 @@ pub struct LightSample<R> {
     /// receiver's cosine it is irradiance. 0 behind the light and in its plane; the plane counts as
     /// thick as the rounding error.
     pub weight: R,
+}
+
+impl<A: Arithmetic> DiscLight<A> {
+    /// The centre of the disc.
+    #[must_use]
+    pub const fn centre(&self) -> [A::Real; 3] {
+        self.centre
+    }
+
+    /// The frame whose third axis is the disc's normal.
+    #[must_use]
+    pub const fn frame(&self) -> &Frame<A::Real> {
+        &self.frame
+    }
+
+    /// The radius of the disc.
+    #[must_use]
+    pub const fn radius(&self) -> A::Real {
+        self.radius
+    }
+
+    /// Whether the light shines to both sides.
+    #[must_use]
+    pub const fn is_two_sided(&self) -> bool {
+        self.two_sided
+    }
 }
 
 impl<A: Root> DiscLight<A> {
@@ -75,17 +104,20 @@ impl<A: Root> DiscLight<A> {
     }
 
     /// The same light, shining to both sides.
+    #[must_use]
     pub const fn two_sided(self) -> Self {
         Self { two_sided: true, ..self }
     }
 
     /// pi r^2.
+    #[must_use]
     #[inline]
     pub fn area(&self) -> A::Real {
         self.radius * self.radius / A::Real::FRAC_1_PI
     }
 
     /// The density of its points, per unit of area; at most MAX.
+    #[must_use]
     #[inline]
     pub fn area_density(&self) -> A::Real {
         reciprocal(self.area())
@@ -93,6 +125,7 @@ impl<A: Root> DiscLight<A> {
 
     /// The light's point for a pair of coordinates, as seen from a receiver. A receiver so near
     /// that d^2 underflows counts as on the light.
+    #[must_use]
     #[inline]
     pub fn sample(&self, receiver: [A::Real; 3], uv: [u32; 2]) -> LightSample<A::Real> {
         let [x_axis, y_axis, normal] = self.frame.axes();
@@ -115,6 +148,7 @@ impl<A: Root> DiscLight<A> {
 
     /// The density of a direction from a receiver, per steradian. It is 0 where the direction
     /// misses the light. It is also 0 for a light of radius 0, which only sampled directions hit.
+    #[must_use]
     #[inline]
     pub fn density(&self, receiver: [A::Real; 3], direction: [A::Real; 3]) -> A::Real {
         let normal = self.frame.axes()[2];

@@ -12,7 +12,10 @@ use crate::frame::{Frame, dot};
 use crate::map::{Density, Power};
 
 /// How to handle a direction below the surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum BelowHorizon {
     /// Rejected: there is no sample. The mean over the others is that of the lobe's upper part,
     /// normalised to 1. No energy is lost, and the caller counts the samples.
@@ -41,6 +44,20 @@ pub struct Glossy<A: Arithmetic> {
     below: BelowHorizon,
 }
 
+impl<A: Arithmetic> Glossy<A> {
+    /// The exponent as it was given.
+    #[must_use]
+    pub fn exponent(&self) -> A::Parameter {
+        self.lobe.exponent()
+    }
+
+    /// What becomes of a direction below the surface.
+    #[must_use]
+    pub const fn below_horizon(&self) -> BelowHorizon {
+        self.below
+    }
+}
+
 impl<A: Arithmetic<Real: Real>> Glossy<A> {
     /// Reflection with an exponent e > -1: the larger, the nearer to a mirror.
     ///
@@ -55,6 +72,7 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
     ///
     /// Either side of a surface may be hit: the normal is taken to be on the side that the light
     /// comes from.
+    #[must_use]
     #[inline]
     pub fn sample(
         &self,
@@ -85,6 +103,7 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
 
     /// The density of leaving along a direction, per steradian. For
     /// [`Reject`](BelowHorizon::Reject) it is the density before rejection.
+    #[must_use]
     #[inline]
     pub fn density(
         &self,

@@ -22,15 +22,32 @@ use crate::map::{Density, Invert, Map, Polar};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polygon<A: Arithmetic, const N: usize> {
+    /// Kept to be written.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    rotation: u32,
     corners: [[A::Real; 2]; N],
     /// 1 / area.
     density: A::Real,
+}
+
+impl<A: Arithmetic, const N: usize> Polygon<A, N> {
+    /// The corners, counterclockwise.
+    #[must_use]
+    pub const fn corners(&self) -> &[[A::Real; 2]; N] {
+        &self.corners
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn rotation(&self) -> u32 {
+        self.rotation
+    }
 }
 
 impl<A: Arithmetic<Real: Real>, const N: usize> Polygon<A, N> {
     const AT_LEAST_3: () = assert!(N >= 3, "a polygon has at least 3 corners");
 
     /// A polygon with a corner at an angle, in 2^-32 turns from the x axis.
+    #[must_use]
     pub fn new(rotation: u32) -> Self {
         let () = Self::AT_LEAST_3;
         let corners: [_; N] = core::array::from_fn(|corner| {
@@ -39,7 +56,12 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Polygon<A, N> {
         });
         let blades = corners.iter().zip(corners.iter().cycle().skip(1));
         let twice = blades.fold(A::Real::ZERO, |sum, (a, b)| sum + cross(*a, *b));
-        Self { corners, density: A::Real::TWO / twice }
+        Self {
+            #[cfg(any(feature = "serde", feature = "defmt"))]
+            rotation,
+            corners,
+            density: A::Real::TWO / twice,
+        }
     }
 
     /// The corners of a blade, counterclockwise.

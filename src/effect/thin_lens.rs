@@ -28,12 +28,16 @@ use crate::map::{Density, Map};
 pub struct ThinLens<M, R> {
     aperture: M,
     radius: R,
+    focal_distance: R,
     /// 1 / focal distance.
     nearness: R,
 }
 
 /// A ray from a lens, in camera space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct LensRay<R> {
     /// On the lens, z = 0.
     pub origin: [R; 3],
@@ -43,6 +47,26 @@ pub struct LensRay<R> {
     pub density: R,
     /// 1: a pixel is the mean over its lens.
     pub weight: R,
+}
+
+impl<M, R: Copy> ThinLens<M, R> {
+    /// The map onto the aperture, a part of the unit disc.
+    #[must_use]
+    pub const fn aperture(&self) -> &M {
+        &self.aperture
+    }
+
+    /// The radius of the lens.
+    #[must_use]
+    pub const fn radius(&self) -> R {
+        self.radius
+    }
+
+    /// The distance at which the lens is in focus.
+    #[must_use]
+    pub const fn focal_distance(&self) -> R {
+        self.focal_distance
+    }
 }
 
 impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
@@ -58,10 +82,11 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
         if !(radius * nearness).finite() {
             return Err(Error::Distance { value: focal_distance.into() });
         }
-        Ok(Self { aperture, radius, nearness })
+        Ok(Self { aperture, radius, focal_distance, nearness })
     }
 
     /// The point of the lens for a pair of coordinates.
+    #[must_use]
     #[inline]
     pub fn sample(&self, uv: [u32; 2]) -> [R; 2] {
         self.aperture.sample(uv).map(|component| component * self.radius)
@@ -69,6 +94,7 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
 
     /// The ray from the lens point of a pair of coordinates. In focus it meets the ray (d_x,
     /// d_y, 1) through the lens's centre.
+    #[must_use]
     #[inline]
     pub fn ray(&self, [d_x, d_y]: [R; 2], uv: [u32; 2]) -> LensRay<R>
     where
@@ -87,6 +113,7 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
     /// Radius of the circle of confusion at a finite distance ahead: r |1 - distance / f|, in the
     /// lens's unit, at most MAX. Divided by the distance it is the radius of the blur in the image
     /// plane z = 1.
+    #[must_use]
     #[inline]
     pub fn circle_of_confusion(&self, distance: R) -> R {
         capped((self.radius - distance * (self.radius * self.nearness)).magnitude())

@@ -54,6 +54,7 @@ fixed!(Q15, Q31);
 /// assert!(!in_unit_disc([1.0, 1e-300]));
 /// assert!(in_unit_disc([0.6, 0.8 - f64::EPSILON]));
 /// ```
+#[must_use]
 pub fn in_unit_disc([x, y]: [f64; 2]) -> bool {
     let (x, y) = (x.abs(), y.abs());
     let (a, b) = if x > y { (x, y) } else { (y, x) };

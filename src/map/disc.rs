@@ -37,6 +37,7 @@ pub trait DiscMap:
     /// assert_eq!(point.r2(), 1.0);
     /// assert!(point.one_minus_r2() > 4e-10);
     /// ```
+    #[must_use]
     #[inline(always)]
     fn disc_point(&self, uv: [u32; 2]) -> DiscPoint<<Self::Arithmetic as Arithmetic>::Real>
     where
@@ -59,6 +60,7 @@ macro_rules! disc_map {
     ($map:ident, $kernel:ident, $point:ident, $invert:ident) => {
         impl<A> $map<A> {
             /// The map; it has no parameters.
+            #[must_use]
             pub const fn new() -> Self {
                 Self(core::marker::PhantomData)
             }

@@ -78,11 +78,13 @@ pub type Power<A, D = Concentric<A>> = Hemisphere<PowerLobe<A>, D>;
 
 impl<L, D> Hemisphere<L, D> {
     /// The disc map below the lobe.
+    #[must_use]
     pub const fn disc(&self) -> &D {
         &self.disc
     }
 
     /// The same directions in world space, about the third axis of a frame.
+    #[must_use]
     pub const fn about<R>(self, frame: Frame<R>) -> About<Self, R>
     where
         Self: Copy,
@@ -96,6 +98,7 @@ macro_rules! without_parameter {
     ($lobe:ident) => {
         impl<A: Arithmetic> Hemisphere<$lobe<A>, Concentric<A>> {
             /// The lobe over the concentric map.
+            #[must_use]
             pub const fn new() -> Self {
                 Self::over(Concentric::new())
             }
@@ -103,6 +106,7 @@ macro_rules! without_parameter {
 
         impl<A: Arithmetic, D: DiscMap<Arithmetic = A>> Hemisphere<$lobe<A>, D> {
             /// The lobe over a disc map.
+            #[must_use]
             pub const fn over(disc: D) -> Self {
                 Self { lobe: $lobe(PhantomData), disc }
             }
@@ -134,6 +138,7 @@ impl<A: Arithmetic, D: DiscMap<Arithmetic = A>> Hemisphere<PowerLobe<A>, D> {
 
 impl<A: Arithmetic, D> Hemisphere<PowerLobe<A>, D> {
     /// The exponent as it was given.
+    #[must_use]
     pub fn exponent(&self) -> A::Parameter {
         self.lobe.exponent()
     }

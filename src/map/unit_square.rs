@@ -10,6 +10,7 @@ pub struct UnitSquare<A>(PhantomData<A>);
 
 impl<A: Arithmetic> UnitSquare<A> {
     /// The map; it has no parameters.
+    #[must_use]
     pub const fn new() -> Self {
         Self(PhantomData)
     }

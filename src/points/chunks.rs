@@ -7,6 +7,7 @@ use core::iter::FusedIterator;
 
 /// An iterator over arrays of `N` consecutive points.
 #[derive(Clone, Debug)]
+#[must_use = "iterators are lazy and do nothing unless consumed"]
 pub struct Chunks<S, M, const N: usize> {
     pub(super) points: Points<S, M>,
 }
@@ -18,6 +19,7 @@ impl<S: Sequence, M: Map, const N: usize> Chunks<S, M, N> {
     };
 
     /// The points not yet given; once the iterator has ended, fewer than `N`.
+    #[must_use]
     pub const fn remainder(&self) -> Points<S, M> {
         self.points
     }

@@ -7,12 +7,14 @@ use core::iter::FusedIterator;
 
 /// An iterator over points: exact-size, double-ended, fused, with O(1) `nth` from both ends.
 #[derive(Clone, Debug)]
+#[must_use = "iterators are lazy and do nothing unless consumed"]
 pub struct Iter<S, M> {
     pub(super) points: Points<S, M>,
 }
 
 impl<S: Sequence, M: Map> Iter<S, M> {
     /// The points that are left.
+    #[must_use]
     pub const fn as_points(&self) -> Points<S, M> {
         self.points
     }

@@ -62,7 +62,25 @@ impl Correlated {
         }
     }
 
+    /// Columns of the grid.
+    #[must_use]
+    pub const fn columns(&self) -> u32 {
+        self.grid.columns()
+    }
+
+    /// Rows of the grid.
+    #[must_use]
+    pub const fn rows(&self) -> u32 {
+        self.grid.rows()
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(&self) -> u32 {
+        self.jitter.seed()
+    }
+
     /// The point of any index; the set repeats after m n points.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let size = self.grid.size();

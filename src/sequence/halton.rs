@@ -26,11 +26,13 @@ pub struct Halton;
 
 impl Halton {
     /// The sequence; it has no parameters.
+    #[must_use]
     pub const fn new() -> Self {
         Self
     }
 
     /// The point of any index.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         [index.reverse_bits(), radical_inverse_3(index)]

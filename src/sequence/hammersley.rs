@@ -34,7 +34,13 @@ impl Hammersley {
         }
     }
 
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn count(&self) -> u32 {
+        self.strata.count()
+    }
+
     /// The point of any index; the set repeats after `count` points.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let index = repeat(index, self.strata.count());

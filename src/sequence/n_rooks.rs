@@ -49,7 +49,18 @@ impl NRooks {
         }
     }
 
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(&self) -> u32 {
+        self.jitter.seed()
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn count(&self) -> u32 {
+        self.strata.count()
+    }
+
     /// The point of any index; the set repeats after `count` points.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let count = self.strata.count();

@@ -6,6 +6,8 @@
 
 use super::Sequence;
 use crate::bits::hash::shift;
+#[cfg(any(feature = "serde", feature = "defmt"))]
+use crate::bits::hash::unmix;
 
 /// The R2 sequence: (i + 1) (0xC13FA9A9, 0x91E10DA5) modulo 2^32, with an optional additive shift.
 ///
@@ -23,11 +25,18 @@ pub struct R2 {
 
 impl R2 {
     /// Seed 0 is the textbook sequence; any other shifts both axes by a hash of the seed.
+    #[must_use]
     pub const fn new(seed: u32) -> Self {
         Self { shift: shift(seed) }
     }
 
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(&self) -> u32 {
+        unmix(self.shift[0])
+    }
+
     /// The point of any index.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let step = index.wrapping_add(1);

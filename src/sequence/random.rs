@@ -20,11 +20,18 @@ pub struct Random {
 
 impl Random {
     /// The stream of `seed`; every seed, 0 too, is hashed.
+    #[must_use]
     pub const fn new(seed: u32) -> Self {
         Self { pairs: Pairs::new(seed, *b"rand") }
     }
 
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(&self) -> u32 {
+        self.pairs.seed(*b"rand")
+    }
+
     /// The point of any index.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         self.pairs.at(index)

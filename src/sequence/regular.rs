@@ -43,7 +43,20 @@ impl Regular {
         }
     }
 
+    /// Columns of the grid.
+    #[must_use]
+    pub const fn columns(&self) -> u32 {
+        self.grid.columns()
+    }
+
+    /// Rows of the grid.
+    #[must_use]
+    pub const fn rows(&self) -> u32 {
+        self.grid.rows()
+    }
+
     /// The point of any index; the set repeats after m n points.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let [column, row] = self.grid.cell(repeat(index, self.grid.size()));

@@ -15,6 +15,7 @@ use rand_core::Rng;
 /// }
 /// ```
 #[derive(Clone, Debug)]
+#[must_use = "iterators are lazy and do nothing unless consumed"]
 pub struct FromRng<R> {
     rng: R,
 }
@@ -26,6 +27,7 @@ impl<R: Rng> FromRng<R> {
     }
 
     /// Returns the generator, in its state after the draws.
+    #[must_use]
     pub fn into_inner(self) -> R {
         self.rng
     }

@@ -25,13 +25,35 @@ use crate::domain::Domain;
 pub struct Shuffled<S> {
     sequence: S,
     order: u32,
+    /// Kept to be written: an order does not tell it.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    domain: Domain,
+}
+
+impl<S> Shuffled<S> {
+    /// The set that is shuffled.
+    #[must_use]
+    pub const fn sequence(&self) -> &S {
+        &self.sequence
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn domain(&self) -> Domain {
+        self.domain
+    }
 }
 
 impl<S: Sequence> Shuffled<S> {
     /// `sequence`, in the order of `domain`.
+    #[must_use]
     pub const fn new(sequence: S, domain: Domain) -> Self {
         let [order, ..] = domain.keys();
-        Self { sequence, order }
+        Self {
+            sequence,
+            order,
+            #[cfg(any(feature = "serde", feature = "defmt"))]
+            domain,
+        }
     }
 }
 

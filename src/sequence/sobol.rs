@@ -7,6 +7,8 @@
 use super::Sequence;
 use super::walk::{Walk, walks};
 use crate::bits::hash::shift;
+#[cfg(any(feature = "serde", feature = "defmt"))]
+use crate::bits::hash::unmix;
 use crate::block::{BLOCK, Block};
 
 /// The Sobol (0, 2)-sequence, with an optional digital (xor) shift.
@@ -25,11 +27,18 @@ pub struct Sobol {
 
 impl Sobol {
     /// Seed 0 is the textbook sequence; any other shifts both axes by a hash of the seed.
+    #[must_use]
     pub const fn new(seed: u32) -> Self {
         Self { shift: shift(seed) }
     }
 
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn seed(&self) -> u32 {
+        unmix(self.shift[0])
+    }
+
     /// The point of any index.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let [u, v] = textbook(index);

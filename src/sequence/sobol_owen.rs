@@ -31,17 +31,26 @@ pub struct SobolOwen {
 
 impl SobolOwen {
     /// The sequence of `Domain::new(seed)`; every seed, 0 too, is scrambled.
+    #[must_use]
     pub const fn new(seed: u32) -> Self {
         Self::in_domain(Domain::new(seed))
     }
 
     /// The sequence of a domain: a shuffle and two scrambles with keys of their own.
+    #[must_use]
     pub const fn in_domain(domain: Domain) -> Self {
         let [order, u, v] = domain.keys();
         Self { order, axes: [u, v] }
     }
 
+    /// The domain whose keys these are.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) const fn domain(&self) -> Domain {
+        Domain::of_keys([self.order, self.axes[0]])
+    }
+
     /// The point of any index.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         self.scrambled(self.reversed(index))

@@ -38,6 +38,7 @@ impl<'a> Stored<'a> {
     }
 
     /// The point of any index; the set repeats after its last point.
+    #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
         let index = repeat(index, self.points.len() as u32) as usize;

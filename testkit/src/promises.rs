@@ -162,7 +162,7 @@ impl Given {
     where
         M::Point: Point<Component = A::Real>,
     {
-        map.invert(point);
+        let _ = map.invert(point);
         let density = map.density(point).exact();
         assert!(density >= 0.0 && density.is_finite(), "{} {:?}: {density}", A::NAME, self.numbers);
     }

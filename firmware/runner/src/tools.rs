@@ -93,8 +93,13 @@ pub fn build(core: &Core, arguments: &[&str]) -> Result<()> {
 /// or an FPU.
 pub fn build_library() -> Result<()> {
     for core in &CORES {
-        for features in ["", "libm", "libm,micromath,fixed-point,bytemuck,heapless,rand_core,rand"]
-        {
+        for features in [
+            "",
+            "libm",
+            "libm,micromath,fixed-point,bytemuck,heapless,rand_core,rand",
+            "fixed-point,serde",
+            "fixed-point,defmt",
+        ] {
             let (mut cargo, extra) = cargo(core.target)?;
             cargo.current_dir(root()).args(["build", "--package", "hemidisc", "--lib"]);
             cargo.args(["--quiet", "--release", "--locked"]);

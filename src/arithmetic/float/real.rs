@@ -43,8 +43,10 @@ pub trait Real:
     const FRAC_1_PI: Self;
 
     /// The absolute value.
+    #[must_use]
     fn magnitude(self) -> Self;
     /// This magnitude with the sign of another number.
+    #[must_use]
     fn with_sign(self, sign: Self) -> Self;
     /// Whether it is neither infinite nor NaN.
     fn finite(self) -> bool;

@@ -26,6 +26,7 @@ use core::num::NonZeroU32;
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
 #[derive(Clone, Debug)]
+#[must_use = "iterators are lazy and do nothing unless consumed"]
 pub struct Rejection<A, I = ()> {
     candidates: I,
     limit: Option<NonZeroU32>,
@@ -68,11 +69,13 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Rejection<A, I> {
     }
 
     /// Candidates drawn so far.
+    #[must_use]
     pub const fn drawn(&self) -> u64 {
         self.drawn
     }
 
     /// Candidates found inside and kept so far; one that was mapped does not count.
+    #[must_use]
     pub const fn kept(&self) -> u64 {
         self.kept
     }
@@ -80,6 +83,7 @@ impl<A: Arithmetic, I: Iterator<Item = [u32; 2]>> Rejection<A, I> {
 
 impl<A: Arithmetic> Rejection<A> {
     /// Whether a candidate is inside the disc, exactly.
+    #[must_use]
     #[inline]
     pub const fn inside([u, v]: [u32; 2]) -> bool {
         const fn square(k: u32) -> u64 {
@@ -90,18 +94,21 @@ impl<A: Arithmetic> Rejection<A> {
     }
 
     /// The point of a candidate, if it is inside: (2u - 1, 2v - 1).
+    #[must_use]
     #[inline]
     pub fn sample(uv: [u32; 2]) -> Option<[A::Real; 2]> {
         Self::inside(uv).then(|| A::centred(uv))
     }
 
     /// The density of the survivors: 1 / pi, and 0 outside the disc.
+    #[must_use]
     #[inline]
     pub fn density(point: [A::Real; 2]) -> A::Real {
         A::Back::disc_density(point)
     }
 
     /// The candidate of a point.
+    #[must_use]
     #[inline]
     pub fn invert(point: [A::Real; 2]) -> [u32; 2] {
         A::Back::invert_centred(point)

@@ -69,7 +69,9 @@ impl<A: Root> Lens<A> for Pinhole {
     #[inline]
     fn ray(&self, [x, y]: [A::Real; 2], _: impl Draw, counts: &mut Counts) -> LensRay<A::Real> {
         counts.base.send();
-        LensRay { direction: [x, y, A::Real::ONE], ..LensRay::default() }
+        let mut ray = LensRay::default();
+        ray.direction = [x, y, A::Real::ONE];
+        ray
     }
 }
 
@@ -116,7 +118,10 @@ impl<A: Root> Light<A> for PointLight<A> {
         let cosine = if beside { height / distance } else { A::Real::ZERO };
         let shines = cosine > A::Real::ZERO || self.two_sided;
         let weight = if shines { cosine.magnitude() / square } else { A::Real::ZERO };
-        LightSample { point: self.position, direction, distance, weight, ..LightSample::default() }
+        let mut sample = LightSample::default();
+        sample.point = self.position;
+        (sample.direction, sample.distance, sample.weight) = (direction, distance, weight);
+        sample
     }
 
     #[inline]
@@ -194,7 +199,10 @@ impl<A: Root> Reflection<A> for Mirror {
         counts.base.send();
         let cosine = dot(arriving, normal);
         let direction = along(arriving, -(cosine + cosine), normal);
-        Some(DirectionSample { direction, density: A::Real::ONE, weight: A::Real::ONE })
+        let mut sample = DirectionSample::default();
+        sample.direction = direction;
+        (sample.density, sample.weight) = (A::Real::ONE, A::Real::ONE);
+        Some(sample)
     }
 }
 

@@ -109,7 +109,7 @@ pub fn blades<A: Root<Real: Real> + Tested, const N: usize>(input: &Input) {
     let [x, y, _] = nearest::<A, 3>(input.receiver);
     let density: f64 = polygon.density([x, y]).exact();
     assert!(density >= 0.0 && density.is_finite(), "{}: {density}", what());
-    polygon.invert([x, y]);
+    let _ = polygon.invert([x, y]);
     let [x, y] = wide([x, y]);
     let inside = x.hypot(y) <= 1.0 + room;
     assert!(inside || density == 0.0, "{}: {density} outside", what());
