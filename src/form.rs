@@ -1,10 +1,12 @@
 //! The form in which a value is written: the arguments of its constructor, by name.
 //!
-//! `serde` writes and reads the form. A value is read by its constructor, which refuses what it always
-//! refuses, with the same message. What a constructor prepares is not written. `defmt` logs the form.
+//! `serde` writes and reads the form. A value is read by its constructor, which refuses what it
+//! always refuses, with the same message. What a constructor prepares is not written. `defmt` logs
+//! the form.
 //! A value whose fields are its form has both derived where it is defined.
 //!
-//! [`Stored`](crate::sequence::Stored) has no form: it borrows its points, and the slice can be written.
+//! [`Stored`](crate::sequence::Stored) has no form: it borrows its points, and the slice can be
+//! written.
 
 use crate::Domain;
 use crate::arithmetic::{Arithmetic, Real};
@@ -20,7 +22,7 @@ use crate::sequence::{
     Shuffled, Sobol, SobolOwen,
 };
 
-/// `[generics] Name: Type, where bounds to read it { field: its type = its getter } => constructor;`
+/// `[generics] Name: Type, where [bounds to read] { field: its type = its getter } => constructor;`
 ///
 /// A form has a type parameter for each field, so that no bound but those of the fields is needed.
 macro_rules! forms {
@@ -43,9 +45,9 @@ macro_rules! forms {
             where
                 $($kind: serde::Serialize),*
             {
-                fn serialize<W: serde::Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
+                fn serialize<W: serde::Serializer>(&self, target: W) -> Result<W::Ok, W::Error> {
                     $(let $field: fn(&Self) -> $kind = $get;)*
-                    form::$name { $($field: $field(self)),* }.serialize(serializer)
+                    form::$name { $($field: $field(self)),* }.serialize(target)
                 }
             }
 
@@ -83,13 +85,16 @@ forms! {
     [] Regular: Regular { columns: u32 = Self::columns, rows: u32 = Self::rows }
         => Self::new(columns, rows);
     [] Random: Random { seed: u32 = Self::seed } => Ok(Self::new(seed));
-    [] Jittered: Jittered { columns: u32 = Self::columns, rows: u32 = Self::rows, seed: u32 = Self::seed }
+    [] Jittered: Jittered
+        { columns: u32 = Self::columns, rows: u32 = Self::rows, seed: u32 = Self::seed }
         => Self::new(columns, rows, seed);
     [] NRooks: NRooks { count: u32 = Self::count, seed: u32 = Self::seed }
         => Self::new(count, seed);
-    [] MultiJittered: MultiJittered { columns: u32 = Self::columns, rows: u32 = Self::rows, seed: u32 = Self::seed }
+    [] MultiJittered: MultiJittered
+        { columns: u32 = Self::columns, rows: u32 = Self::rows, seed: u32 = Self::seed }
         => Self::new(columns, rows, seed);
-    [] Correlated: Correlated { columns: u32 = Self::columns, rows: u32 = Self::rows, seed: u32 = Self::seed }
+    [] Correlated: Correlated
+        { columns: u32 = Self::columns, rows: u32 = Self::rows, seed: u32 = Self::seed }
         => Self::new(columns, rows, seed);
     [] Hammersley: Hammersley { count: u32 = Self::count } => Self::new(count);
     [] Halton: Halton {} => Ok(Self::new());
@@ -170,7 +175,10 @@ forms! {
         { reach: A::Real = Self::reach }
         => Self::new(reach);
     [A: Arithmetic] Glossy: Glossy<A>, where [A: Arithmetic<Real: Real>]
-        { exponent: A::Parameter = Self::exponent, below_horizon: BelowHorizon = Self::below_horizon }
+        {
+            exponent: A::Parameter = Self::exponent,
+            below_horizon: BelowHorizon = Self::below_horizon
+        }
         => Self::new(exponent, below_horizon);
     [A: Arithmetic, const N: usize] Polygon: Polygon<A, N>, where [A: Arithmetic<Real: Real>]
         { rotation: u32 = Self::rotation }

@@ -1,5 +1,5 @@
-//! Every value is read back as it was written, in the form of its constructor's arguments; and what a
-//! constructor refuses is not read, with the constructor's own message.
+//! Every value is read back as it was written, in the form of its constructor's arguments. What a
+//! constructor refuses is not read, and the message is the constructor's.
 #![cfg(all(feature = "libm", feature = "fixed-point", feature = "serde"))]
 
 use hemidisc::arithmetic::FixedExponent;
