@@ -16,7 +16,7 @@ use crate::block::Block;
 use crate::target::{HALVES, WIDE_WORDS};
 
 /// Rounds of swap-or-not. A chi-square test of places, or of pairs of places, can tell 10 from random
-/// (tests/promises/permutation.rs); and a round leaves an element where it is with probability 1/2,
+/// (tests/bits/permute.rs); and a round leaves an element where it is with probability 1/2,
 /// so log2(len) + 4 leave one element in 16 sets more in its place than chance does.
 const fn rounds(len: u32) -> u32 {
     let mut rounds = 12;

@@ -77,7 +77,7 @@ const fn exchanged(mask: u32, [a, b]: [f32; 2]) -> [f32; 2] {
 /// The next numbers toward zero of both, where they are within 2 eps of the circle or beyond it.
 ///
 /// The square of the length is computed to 5/4 eps, so a point left alone is inside. One outside is so
-/// by less than the step takes, which tests/fast_f32.rs proves on the rims.
+/// by less than the step takes, which tests/arithmetic/fast_f32.rs proves on the rims.
 #[inline(always)]
 const fn inward([x, y]: [f32; 2]) -> [f32; 2] {
     let near = (x * x + y * y > 1.0 - f32::EPSILON) as u32;

@@ -1,7 +1,7 @@
 //! The elementary functions of fast f32, on the ranges that the maps need, as `const fn`.
 //!
-//! Coefficients are by tests/derive/fast_f32.sollya. Errors are in tests/fast_f32.rs, over every f32 of
-//! each range.
+//! Coefficients are by tests/derive/fast_f32.sollya. Errors are in tests.rs, over every f32 of each
+//! range.
 
 use crate::arithmetic::float::Float;
 

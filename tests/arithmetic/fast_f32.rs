@@ -2,7 +2,7 @@
 //!
 //! By default every 61st point of the rims; all of them, in two minutes of two threads, by
 //!
-//!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --test fast_f32 -- --nocapture
+//!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --test arithmetic fast_f32 -- --nocapture
 
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};

@@ -4,8 +4,7 @@
 //! The reference is the textbook's formula in f64 on the exact coordinate: 2^-53 is 2^-22 LSB, and no
 //! formula here loses more than a few hundred of them. At length (about four minutes on two cores):
 //!
-//!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --all-features --test q31 -- --nocapture
-#![cfg(feature = "fixed-point")]
+//!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --all-features --test arithmetic q31 -- --nocapture
 
 use hemidisc::arithmetic::FixedExponent;
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};

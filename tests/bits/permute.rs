@@ -6,13 +6,7 @@
 //! leaves an element with probability 1/2, so r rounds leave len / 2^r more than chance does.
 
 use hemidisc::bits::{hash::mix, permute::permute};
-use testkit::chi_square::{assert_random, p_value};
-
-/// Fails if the counts are too uneven. For tests of few cells, where evenness is no sign of a fault.
-pub(crate) fn assert_uniform(counts: &[u32], what: &str) {
-    let p = p_value(counts);
-    assert!((1e-6..=1.0).contains(&p), "{what}: p = {p:e} for {counts:?}");
-}
+use testkit::chi_square::{assert_random, assert_uniform};
 
 /// Orders of seeds that callers use: counted, hashed, counted in the high bits.
 type Order = fn(u32) -> u32;
