@@ -2,7 +2,7 @@
 //! set and changes the order.
 
 use hemidisc::{
-    Domain, Error,
+    Domain,
     bits::hash::mix,
     invariant,
     sequence::{MultiJittered, Regular, Sequence, Shuffled, Sobol, SobolOwen, Stored},
@@ -121,11 +121,6 @@ fn splits_are_one_stream() {
         assert!(indices.eq(4 * block..4 * (block + 64)));
         assert_eq!(invariant::net(&points, 4 * block, 8, &mut [0; 8]), Ok(()));
     }
-    assert_eq!(split.domain(), Domain::new(7).child(3));
-    assert_eq!(split.branches(u32::MAX / 4 - 1), Ok(u32::MAX - 7..u32::MAX - 3));
-    let error = split.branches(u32::MAX / 4 + 1).unwrap_err();
-    assert!(matches!(error, Error::Range { .. }), "{error}");
-    assert_eq!(Domain::new(7).split(3, 0).branches(9), Ok(0..0));
 }
 
 /// The order of a shuffled set of `size` points: where each came from.

@@ -34,7 +34,8 @@ pub const fn words(state: [u32; 2], purpose: u32) -> [u32; 3] {
 
 /// The shifts of both axes for a seed: 0 for seed 0, else a hash and a hash of the hash.
 ///
-/// The rotation is one for which no seed but 0 shifts both axes alike: tests/sequence/noise.rs tries all.
+/// The rotation is one for which no seed but 0 shifts both axes alike: tests/sequence/noise.rs tries
+/// all.
 #[inline]
 pub(crate) const fn shift(seed: u32) -> [u32; 2] {
     let first = mix(seed);

@@ -1,4 +1,4 @@
-//! What single arithmetics are tested for alone: the rims of the disc, whole rings, every pair of 16-bit
+//! What is tested of one arithmetic alone: the rims of the disc, whole rings, every pair of 16-bit
 //! coordinates. What holds for every arithmetic is in `tests/map`.
 //!
 //! A plain run takes a sample; all of it, in some minutes, by

@@ -3,7 +3,8 @@
 //!
 //! A plain run takes the rows of radii where trouble lives and a sample of the others; all of them:
 //!
-//!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --all-features --test arithmetic q15 -- --nocapture
+//!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --all-features --test arithmetic \
+//!         q15 -- --nocapture
 
 mod rim;
 

@@ -8,8 +8,9 @@ use hemidisc::arithmetic::Float;
 use hemidisc::invariant::{self, Exact, in_unit_disc};
 use hemidisc::{Concentric, Cosine, Density, Invert, LibmF32, Map, Polar, Power, Uniform};
 use proptest::prelude::*;
-use testkit::arithmetics::{Number, Tested, every_arithmetic};
+use testkit::arithmetics::{Tested, every_arithmetic};
 use testkit::promises::{AtSample, Total};
+use testkit::rings::{distinct, outward};
 
 /// Any bit pattern; the hard ones, near an edge, the centre or a power of two, as often as not.
 fn coordinate() -> impl Strategy<Value = u32> {
@@ -128,24 +129,6 @@ impl Float for Checked {
         assert!(x <= 0.0, "exp_m1({x})");
         libm::expm1f(x)
     }
-}
-
-/// Magnitudes about the centre as coordinates: 2m + 1 in units of 2^-32.
-fn outward(magnitude: u32) -> u32 {
-    0x8000_0000 + magnitude
-}
-
-/// Every m in 0..2^31 that the arithmetic tells from the m before, and each `stride`-th of them: floats
-/// those whose 2m + 1 is another f32, fixed point those whose leading bits differ.
-fn distinct<A: Tested>(stride: usize) -> impl Iterator<Item = u32> {
-    // An f32 tells every m below 2^23, and above that one in 2^(bit - 23).
-    let read = A::BITS.min(24);
-    let exact = (0..1_u32 << 23).step_by(1 << (32 - A::BITS));
-    let rounded = (23..31_u32).flat_map(move |bit| {
-        let step = if A::Real::FIXED { 32 - read } else { bit - 23 };
-        (1 << bit..1 << (bit + 1)).step_by(1 << step)
-    });
-    exact.chain(rounded).step_by(stride)
 }
 
 /// Counts the points of a ring, on both sides of its diagonal, and asserts that none is outside.

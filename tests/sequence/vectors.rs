@@ -108,8 +108,8 @@ fn sobol_follows_its_recurrence() {
     }
 }
 
-/// A domain's three keys: order, u, v. They are by the library's own hashes, which this file takes as
-/// given; the goldens pin them.
+/// A domain's three keys: order, u, v. They are by the library's own hashes, which this file takes
+/// as given; the goldens pin them.
 fn keys(seed: u32) -> [u32; 3] {
     let [a, b] = absorb([0x6865_6d69, 0x6469_7363], seed);
     words([b, a], 0x6b65_7973)
