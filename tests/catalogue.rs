@@ -1,5 +1,4 @@
 //! Every file of a family is in the family's list, so that no member escapes the tests.
-#![cfg(feature = "libm")]
 
 use hemidisc::catalogue::{
     ARITHMETICS, AVAILABLE_ARITHMETICS, ArithmeticVisitor, SEQUENCES, SequenceVisitor, arithmetics,
@@ -66,6 +65,7 @@ fn every_arithmetic_is_listed() {
     assert_eq!(files("arithmetic"), expected);
 }
 
+#[cfg(feature = "libm")]
 #[test]
 fn every_map_is_listed() {
     use hemidisc::catalogue::{MapVisitor, maps, power_maps};
@@ -95,14 +95,31 @@ fn every_map_is_listed() {
     assert_eq!(found.lobes, pairs.collect());
 }
 
+struct Sizes(Vec<Option<u32>>);
+
+impl SequenceVisitor for Sizes {
+    fn visit<S: Sequence>(&mut self, _: &'static str, sequence: S) {
+        self.0.push(sequence.size());
+    }
+}
+
 #[test]
 fn grids_hold_their_points() {
-    for count in (1..=1000).chain([4_294_836_225, u32::MAX - 1, u32::MAX]) {
+    let large = [65_535, 65_536, 65_537, 1 << 30, 4_294_836_225, u32::MAX - 1, u32::MAX];
+    for count in (1..=1000).chain(large) {
         let [columns, rows] = grid(count);
-        let size = u64::from(columns) * u64::from(rows);
-        assert!((u64::from(count)..u64::from(count) + u64::from(columns)).contains(&size));
-        assert!(sequences(count, 0, &mut Names(Vec::new())).is_ok(), "{count}");
+        assert_eq!(columns, count.isqrt());
+        let size = columns.checked_mul(rows).unwrap();
+        assert!(size >= count && size - count < columns, "{count}");
+        let mut sizes = Sizes(Vec::new());
+        sequences(count, 7, &mut sizes).unwrap();
+        assert_eq!(sizes.0.len(), SEQUENCES.len());
+        assert!(sizes.0.iter().flatten().all(|&of| of == size || of == count), "{count}");
     }
-    let empty = sequences(0, 0, &mut Names(Vec::new()));
+    // 2^32 - 1 points, so that no count is too large for its grid.
+    assert_eq!(grid(u32::MAX), [65_535, 65_537]);
+    let mut sizes = Sizes(Vec::new());
+    let empty = sequences(0, 0, &mut sizes);
     assert_eq!(empty, Err(Error::EmptyGrid { columns: 0, rows: 0 }));
+    assert_eq!(sizes.0, [], "nothing is visited");
 }

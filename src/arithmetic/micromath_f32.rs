@@ -14,7 +14,7 @@
 //! | exp(x) - 1 | no digit near 0 | 8e-6 relative |
 //! | atan | 2.9e-3; tan of it, by the same sine and cosine, 4e-3 | tan of it 2.5e-5 |
 //!
-//! and of the maps that they give, over the points of `tests/accuracy`, e in [0, 1e8] (with
+//! and of the maps that they give, over the points of `tests/map/accuracy`, e in [0, 1e8] (with
 //! sqrt(-0) made 0: as it is, the power lobe has no end):
 //!
 //! | map | position | norm | theta, relative | z, relative | density, relative | inverse |

@@ -57,7 +57,7 @@ pub const fn words(state: [u32; 2], purpose: u32) -> [u32; 3] {
 
 /// The shifts of both axes for a seed: 0 for seed 0, else a hash and a hash of the hash.
 ///
-/// With this rotation no seed but 0 shifts both axes alike: tests/promises tries all.
+/// With this rotation no seed but 0 shifts both axes alike: tests/sequence/noise.rs tries all.
 #[inline]
 pub(crate) const fn shift(seed: u32) -> [u32; 2] {
     let first = mix(seed);

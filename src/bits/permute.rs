@@ -16,7 +16,7 @@ use crate::block::Block;
 use crate::target::{HALVES, WIDE_WORDS};
 
 /// Rounds of swap-or-not. A chi-square test of places, or of pairs of places, can tell 10 rounds
-/// from random (tests/promises/permutation.rs). A round leaves an element in place with probability
+/// from random (tests/bits/permute.rs). A round leaves an element in place with probability
 /// 1/2, so log2(len) + 4 rounds leave one more element in 16 sets in place than chance does.
 const fn rounds(len: u32) -> u32 {
     let mut rounds = 12;

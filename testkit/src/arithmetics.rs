@@ -80,7 +80,8 @@ pub fn peak(kind: &str, e: f64) -> f64 {
     match kind {
         "disc" | "cosine" => FRAC_1_PI,
         "uniform" => FRAC_1_PI / 2.0,
-        _ => (e + 1.0) * FRAC_1_PI / 2.0,
+        "power" => (e + 1.0) * FRAC_1_PI / 2.0,
+        _ => panic!("no peak is known of {kind}"),
     }
 }
 

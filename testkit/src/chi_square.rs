@@ -22,3 +22,11 @@ pub fn assert_random(counts: &[u32], what: &str) {
     let p = p_value(counts);
     assert!((1e-6..=1.0 - 1e-9).contains(&p), "{what}: p = {p:e} for {counts:?}");
 }
+
+/// Fails if the counts are too uneven.
+///
+/// For tests of few cells, where evenness is no sign of a fault.
+pub fn assert_uniform(counts: &[u32], what: &str) {
+    let p = p_value(counts);
+    assert!((1e-6..=1.0).contains(&p), "{what}: p = {p:e} for {counts:?}");
+}

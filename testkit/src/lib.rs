@@ -10,8 +10,9 @@
 //! | `panel` | drawing on a panel of 16-bit colours | `panel` |
 //! | `arithmetics` | the list of arithmetics, and what tests know of each | `std` |
 //! | `errors`, `reference`, `vectors` | errors of points, exact points, mpmath's values | `std` |
+//! | `rings` | the coordinates of one distance from the centre | `std` |
 //! | `promises`, `model`, `orthonormal` | oracles of maps, of points and of frames | `std` |
-//! | `chi_square` | Pearson's test | `std` |
+//! | `chi_square`, `strata` | Pearson's test, the strata of a coordinate | `std` |
 //! | `programs` | the examples, as programs to run | `std` |
 //! | `checks` | what the fuzz targets check | `std` and every arithmetic |
 //!
@@ -49,6 +50,10 @@ pub mod programs;
 pub mod promises;
 #[cfg(feature = "std")]
 pub mod reference;
+#[cfg(feature = "std")]
+pub mod rings;
+#[cfg(feature = "std")]
+pub mod strata;
 pub mod textbook;
 pub mod tracer;
 #[cfg(feature = "std")]

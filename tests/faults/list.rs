@@ -64,7 +64,7 @@ pub const FAULTS: &[Fault] = &[
         &["corpus::sequence"]),
     fault("unhashed seed: both axes of Sobol are shifted by the seed itself", "sequence/sobol.rs",
         ["Self { shift: shift(seed) }", "Self { shift: [seed, seed] }"],
-        &["promises", "golden"]),
+        &["sequence", "golden"]),
     fault("same key: both axes are scrambled alike", "sequence/sobol_owen.rs",
         ["Self { order, axes: [u, v] }", "Self { order, axes: [order, order] }"],
         &["lib::sequence::sobol_owen", "golden"]),

@@ -183,7 +183,8 @@ const HALF_16: f64 = (1 << 15) as f64;
 /// The bias of [`ROOT`] at 1/4, which is the rim of the uniform lobe.
 ///
 /// The largest multiple of 0.05 half LSBs with which no point of the uniform lobe leaves the disc.
-/// `python3 tests/derive/q15.py --search` finds it; the exhaustive test (tests/q15) confirms it.
+/// `python3 tests/derive/q15.py --search` finds it; the exhaustive test (tests/arithmetic/q15.rs)
+/// confirms it.
 const ROOT_AT_RIM: f64 = -0.15 * HALF_LSB;
 
 /// sqrt x of x >= 1/4, plus [`HALF`], but for the bucket at 1/4.

@@ -2,6 +2,7 @@
 //! blocks agree.
 
 use super::convert::assert_clear;
+use crate::strata::stratum;
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::sequence::{
     Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sequence,
@@ -101,11 +102,6 @@ pub fn check(data: &[u8]) -> arbitrary::Result<()> {
         }
     }
     Ok(())
-}
-
-/// The stratum, of `count`, of a cell.
-fn stratum(cell: u32, count: u32) -> u32 {
-    ((u64::from(cell) * u64::from(count)) >> 32) as u32
 }
 
 #[track_caller]

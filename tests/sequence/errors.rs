@@ -2,7 +2,6 @@
 
 use hemidisc::{
     Error,
-    catalogue::{SequenceVisitor, grid, sequences},
     sequence::{
         Correlated, Hammersley, Jittered, MultiJittered, NRooks, Regular, Sequence, Stored,
     },
@@ -59,38 +58,4 @@ fn the_largest_and_the_smallest_sets() {
         assert_eq!(Hammersley::new(count).unwrap().size(), Some(count));
     }
     assert_eq!(Stored::new(&[[7, 8]]).unwrap().size(), Some(1));
-}
-
-/// No slice here is longer than 2^32 points; its message at least is what it should be.
-#[test]
-fn stored_too_long() {
-    let error = Error::StoredTooLong { len: 4_294_967_296 };
-    assert_eq!(
-        error.to_string(),
-        "a stored set of 4294967296 points; accepted: at most 4294967295"
-    );
-}
-
-#[test]
-fn the_catalogue() {
-    struct Sizes(Vec<Option<u32>>);
-    impl SequenceVisitor for Sizes {
-        fn visit<S: Sequence>(&mut self, _: &'static str, sequence: S) {
-            self.0.push(sequence.size());
-        }
-    }
-    let mut sizes = Sizes(Vec::new());
-    let message = "a grid of 0 x 0 points; accepted: at least 1 x 1";
-    assert_eq!(refused(sequences(0, 7, &mut sizes)), message);
-    assert_eq!(sizes.0, [], "nothing is visited");
-    for count in (1..=1000).chain([65_535, 65_536, 65_537, 1 << 30, 4_294_836_225]) {
-        let [m, n] = grid(count);
-        assert!(m.checked_mul(n).is_some_and(|all| all >= count && all - count < m), "{count}");
-        assert_eq!(m, count.isqrt());
-        sizes.0.clear();
-        sequences(count, 7, &mut sizes).unwrap();
-        assert!(sizes.0.iter().flatten().all(|&size| size == m * n || size == count), "{count}");
-    }
-    // 65,535 x 65,537 is 2^32 - 1, so that no count is too large for its grid.
-    assert_eq!(grid(u32::MAX), [65_535, 65_537]);
 }

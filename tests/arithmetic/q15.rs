@@ -4,8 +4,8 @@
 //!
 //! A plain run takes the hard radii and a sample of the others; all of them:
 //!
-//!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --all-features --test q15 -- --nocapture
-#![cfg(feature = "fixed-point")]
+//!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --all-features --test arithmetic \
+//!         q15 -- --nocapture
 
 mod rim;
 
@@ -16,6 +16,7 @@ use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::LazyLock;
 use testkit::contract::contract;
+use testkit::reference::is_polar;
 
 const ONE: f64 = 32_768.0;
 /// Cells of an axis.
@@ -57,7 +58,8 @@ fn circle(kind: &str, e: f64, r2: f64, rim: f64) -> Circle {
         "disc" => return Circle { s: r2.sqrt(), z: None },
         "uniform" => 1.0,
         "cosine" => 2.0,
-        _ => e + 1.0,
+        "power" => e + 1.0,
+        _ => panic!("no lobe is known as {kind}"),
     };
     let log = if r2 < 0.5 { (-r2).ln_1p() } else { rim.ln() } / n;
     Circle { s: (-(2.0 * log).exp_m1()).sqrt(), z: Some(log.exp()) }
@@ -189,7 +191,7 @@ impl Sweep<'_> {
         if disc != self.over {
             return;
         }
-        let polar = disc == "polar";
+        let polar = is_polar(disc);
         let exponent = self.exponent;
         let rows = radii(if polar { CELLS } else { MAGNITUDES });
         let directions: Vec<(f64, f64)> = (0..CELLS / 2)

@@ -5,6 +5,7 @@ use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, MapVisitor, maps, power_maps};
 use hemidisc::{Invert, arithmetic::Arithmetic};
 use testkit::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic, peak};
 use testkit::contract::{Contract, contract};
+use testkit::reference::is_polar;
 
 /// Exponents of the power lobes; 0 is uniform and 1 cosine.
 const EXPONENTS: [f64; 5] = [0.0, 0.5, 1.0, 10.0, 1000.0];
@@ -68,7 +69,7 @@ impl<A: Tested> MapVisitor<A> for Cases<'_> {
         (self.run)(&Case {
             name: format!("{} disc, {}", name, A::NAME),
             lobe: None,
-            polar: name == "polar",
+            polar: is_polar(name),
             density_error: A::DENSITY_ERROR,
             fixed: A::Real::FIXED,
             contract: contract(A::NAME, "disc").unwrap(),
@@ -90,14 +91,15 @@ impl<A: Tested> MapVisitor<A> for Cases<'_> {
         let exponent = match name {
             "uniform" => 0.0,
             "cosine" => 1.0,
-            _ => self.exponent,
+            "power" => self.exponent,
+            _ => panic!("no exponent is known of {name}"),
         };
         let scale = scale::<A>(name, exponent);
         let stored = |x: f64| A::Real::nearest(x);
         (self.run)(&Case {
             name: format!("{name} lobe of {exponent} over {disc}, {}", A::NAME),
             lobe: Some(exponent),
-            polar: disc == "polar",
+            polar: is_polar(disc),
             density_error: A::DENSITY_ERROR,
             fixed: A::Real::FIXED,
             contract: contract(A::NAME, name).unwrap(),

@@ -1,6 +1,5 @@
 //! The strata of the sets: the cells of a grid, and the columns and rows of rooks.
 
-use super::permutation::assert_uniform;
 use hemidisc::{
     bits::hash::mix,
     catalogue::grid,
@@ -11,14 +10,10 @@ use hemidisc::{
     },
 };
 use std::collections::{HashMap, HashSet};
-use testkit::chi_square::assert_random;
+use testkit::chi_square::{assert_random, assert_uniform};
+use testkit::strata::stratum;
 
 const SEEDS: [u32; 6] = [0, 1, 7, 0x8000_0000, 0x2000_0000, u32::MAX];
-
-/// The stratum, of `count`, of a cell.
-pub(crate) fn stratum(cell: u32, count: u32) -> u32 {
-    ((u64::from(cell) * u64::from(count)) >> 32) as u32
-}
 
 /// Fails unless `hits` is each of 0 .. `count` once.
 pub(crate) fn assert_each_once(count: u32, hits: impl Iterator<Item = u32>, what: &str) {

@@ -10,7 +10,6 @@
 //! | `cases` | the list: every map and lobe over either disc map, in each arithmetic |
 //!
 //! Cells and integrals are worked in f64 from the formulas, not from the crate's code.
-#![cfg(feature = "libm")]
 
 mod cases;
 mod cells;

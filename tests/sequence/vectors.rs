@@ -3,10 +3,7 @@
 
 use hemidisc::{
     Domain,
-    bits::{
-        hash::{absorb, mix, words},
-        owen::{scramble, scramble_reversed},
-    },
+    bits::hash::{absorb, mix, words},
     sequence::{Halton, Hammersley, R2, Regular, Sobol, SobolOwen},
 };
 use sobol_burley::parts::{owen_scramble_rev, sobol_rev};
@@ -112,24 +109,8 @@ fn sobol_follows_its_recurrence() {
     }
 }
 
-#[test]
-fn owen_scrambling_is_that_of_sobol_burley() {
-    let check = |x, seed| {
-        let expected = owen_scramble_rev(x, seed);
-        assert_eq!(scramble_reversed(x, seed), expected, "{x:#x} with seed {seed:#x}");
-        assert_eq!(scramble(x.reverse_bits(), seed), expected.reverse_bits());
-    };
-    let edges = (0..32).flat_map(|bit| [1 << bit, (1_u32 << bit) - 1, !(1 << bit)]);
-    let edges: Vec<u32> = edges.chain([0, u32::MAX]).collect();
-    for (&x, &seed) in edges.iter().flat_map(|x| edges.iter().map(move |seed| (x, seed))) {
-        check(x, seed);
-    }
-    for i in 0..1_000_000 {
-        check(mix(i), mix(!i));
-    }
-}
-
-/// A domain's three keys, worked from the documented hashes: order, u, v.
+/// A domain's three keys: order, u, v. They are by the library's own hashes, which this file takes
+/// as given; the goldens pin them.
 fn keys(seed: u32) -> [u32; 3] {
     let [a, b] = absorb([0x6865_6d69, 0x6469_7363], seed);
     words([b, a], 0x6b65_7973)

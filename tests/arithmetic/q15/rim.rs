@@ -4,6 +4,7 @@ use super::{CELLS, MAGNITUDES};
 use hemidisc::arithmetic::{Arithmetic, FixedExponent};
 use hemidisc::catalogue::{MapVisitor, power_maps};
 use hemidisc::{Invert, Q15, Q15Div};
+use testkit::reference::is_polar;
 
 /// Where e is small sin theta is nearly 1 over a wide rim, and a unit too much leaves the disc. All
 /// rings from r = 0.95 or so on; a plain run takes the last 32 and a sample.
@@ -31,7 +32,7 @@ impl<A: Arithmetic<Real = Q15>> MapVisitor<A> for Rim {
             let [x, y] = [point[0], point[1]].map(|c| i32::from(c.to_bits()));
             assert!(x * x + y * y <= 1 << 30, "{} {disc}, e = {}: {point:?}", A::NAME, self.0);
         };
-        if disc == "polar" {
+        if is_polar(disc) {
             for (v, u) in Self::rows(CELLS).flat_map(|v| (0..CELLS / 4).map(move |u| (v, u))) {
                 inside([u << 16, v << 16]);
             }

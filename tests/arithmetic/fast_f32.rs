@@ -3,7 +3,7 @@
 //!
 //! By default every 61st point of the rims; all of them, in two minutes of two threads, by
 //!
-//!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --test fast_f32 -- --nocapture
+//!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --test arithmetic fast_f32 -- --nocapture
 
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{MapVisitor, maps, power_maps};
@@ -14,23 +14,11 @@ use hemidisc::{
     Uniform,
 };
 use std::array::from_fn;
+use testkit::rings::{distinct, outward};
 
 /// A prime, so that the stride shares no factor with a power of two.
 fn stride() -> usize {
     if std::env::var_os("HEMIDISC_EXHAUSTIVE").is_some() { 1 } else { 61 }
-}
-
-/// Magnitudes about the centre as coordinates.
-fn outward(magnitude: u32) -> u32 {
-    0x8000_0000 + magnitude
-}
-
-/// Every m in 0..2^31 whose m + 1/2 is another f32 than that of the m before, and each `stride`-th.
-fn distinct_f32(stride: usize) -> impl Iterator<Item = u32> {
-    // Below 2^23 each m has its own; above, one in 2^(bit - 23).
-    let exact = 0..1_u32 << 23;
-    let rounded = (23..31).flat_map(|bit| (1 << bit..1 << (bit + 1)).step_by(1 << (bit - 23)));
-    exact.chain(rounded).step_by(stride)
 }
 
 /// The eight outermost radii of f32: 1, 1 - eps and so on.
@@ -56,7 +44,7 @@ fn walk_ring(radius: u32) -> [u64; 2] {
     let powers = [1.0, 100.0].map(|e| Power::<FastF32>::new(e).unwrap());
     let [outer, inner] = ends(radius);
     let [mut walked, mut outside] = [0; 2];
-    for minor in distinct_f32(stride()).map(outward) {
+    for minor in distinct::<FastF32>(stride()).map(outward) {
         for uv in [[outward(outer), minor], [minor, outward(inner)]] {
             let point = disc.sample(uv);
             outside += on_disc(point);
@@ -85,12 +73,14 @@ fn over_radii(walk: impl Fn(u32) -> [u64; 2] + Sync) -> [u64; 2] {
     })
 }
 
+/// Four maps hang on 1 - r^2 too, which is not the same at the two ends of what rounds to a radius.
+/// `tests/map` walks four radii of every arithmetic, at one magnitude each, in two maps.
 #[test]
-fn no_point_of_the_outer_rings_is_outside() {
+fn no_point_at_either_end_of_a_radius_is_outside() {
     let [walked, outside] = over_radii(walk_ring);
     println!("{walked} points of {RADII} outer rings in each of 5 maps, {outside} outside");
     assert_eq!(outside, 0);
-    assert_eq!(walked, distinct_f32(stride()).count() as u64 * 2 * u64::from(RADII));
+    assert_eq!(walked, distinct::<FastF32>(stride()).count() as u64 * 2 * u64::from(RADII));
 }
 
 /// Random coordinates, and near every power of two from the edges and the centre.
@@ -169,22 +159,20 @@ fn every_promise_holds_for_every_exponent() {
 }
 
 #[test]
-fn constants_blocks_and_traits_give_the_same_bits() {
-    const UV: [u32; 2] = [0x0123_4567, 0xfedc_ba98];
-    const AT_COMPILE_TIME: [[f32; 2]; 2] = [FastF32::concentric(UV), FastF32::polar(UV)];
-    let uv = std::hint::black_box(UV);
-    assert_eq!(AT_COMPILE_TIME, [FastF32::concentric(uv), FastF32::polar(uv)]);
-    for uv in coordinates() {
-        assert_eq!(FastF32::concentric(uv), Concentric::<FastF32>::new().sample(uv));
-        assert_eq!(FastF32::polar(uv), Polar::<FastF32>::new().sample(uv));
-        assert_eq!(FastF32::square(uv), Coordinates(uv).to_f32());
-    }
+fn blocks_give_the_same_bits_for_every_exponent() {
     for e in EXPONENTS {
         let lobe =
             Points::with_range(Random::new(1), Power::<FastF32>::new(e).unwrap(), 7..307).unwrap();
         let mut filled = [[0.0; 3]; 300];
         assert_eq!(lobe.fill(&mut filled), 300);
         assert!(filled.into_iter().eq(lobe.iter()), "e = {e}");
+    }
+}
+
+#[test]
+fn a_square_is_its_coordinates() {
+    for uv in coordinates() {
+        assert_eq!(FastF32::square(uv), Coordinates(uv).to_f32());
     }
 }
 

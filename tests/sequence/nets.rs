@@ -1,12 +1,13 @@
 //! Elementary intervals: aligned blocks of 2^m points are (0, m, 2)-nets, that is, each interval of
 //! a x b = 2^-j x 2^-(m-j) holds exactly one; Halton's intervals are 2^-a x 3^-b.
 
-use super::strata::{assert_each_once, stratum};
+use super::strata::assert_each_once;
 use hemidisc::{
     Domain,
     bits::hash::mix,
     sequence::{Halton, Hammersley, Sequence, Shuffled, Sobol, SobolOwen},
 };
+use testkit::strata::stratum;
 
 const LARGEST: u32 = 12;
 
@@ -16,7 +17,7 @@ fn leading(cell: u32, bits: u32) -> u32 {
 }
 
 /// Fails unless 2^m points have one in each elementary interval of area 2^-m.
-pub(crate) fn assert_net(points: &[[u32; 2]], what: &str) {
+fn assert_net(points: &[[u32; 2]], what: &str) {
     let m = points.len().trailing_zeros();
     for a in 0..=m {
         let b = m - a;

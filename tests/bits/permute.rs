@@ -1,20 +1,12 @@
 //! `permute`: a bijection for every length and seed, and as good as a random one.
 //!
-//! Rounds of swap-or-not were measured on a copy of the function with the rounds as a parameter
-//! (least number from which p > 1e-6 stays, for 200 to 3,200 draws a cell): places and pairs of
-//! places at lengths to 100 need 8 to 10; all permutations 6 to 8 at length 3, 13 to 14 at
-//! length 8. A round leaves an element with probability 1/2, so r rounds leave len / 2^r more than
-//! chance does.
+//! Rounds of swap-or-not were measured on a copy of the function with the rounds as a parameter (least
+//! number from which p > 1e-6 stays, for 200 to 3,200 draws a cell): places and pairs of places at
+//! lengths to 100 need 8 to 10; all permutations 6 to 8 at length 3, 13 to 14 at length 8. A round
+//! leaves an element with probability 1/2, so r rounds leave len / 2^r more than chance does.
 
 use hemidisc::bits::{hash::mix, permute::permute};
-use testkit::chi_square::{assert_random, p_value};
-
-/// Fails if the counts are too uneven. For tests of few cells, where evenness does not indicate a
-/// fault.
-pub(crate) fn assert_uniform(counts: &[u32], what: &str) {
-    let p = p_value(counts);
-    assert!((1e-6..=1.0).contains(&p), "{what}: p = {p:e} for {counts:?}");
-}
+use testkit::chi_square::{assert_random, assert_uniform};
 
 /// Orders of seeds that callers use: counted, hashed, counted in the high bits.
 type Order = fn(u32) -> u32;
@@ -59,8 +51,7 @@ fn bijection_for_large_lengths() {
     }
 }
 
-/// Near 2^31 and 2^32: a sample of both ends and of hashed indices is mapped one to one, into
-/// range.
+/// Near 2^31 and 2^32: a sample of both ends and of hashed indices is mapped one to one, into range.
 #[test]
 fn bijection_for_lengths_near_the_largest() {
     let half = 1_u32 << 31;
@@ -155,8 +146,8 @@ fn pairs_of_places_are_uniform() {
     }
 }
 
-/// Elements that stay in place, and neighbours that stay neighbours: 1 of each on average in a
-/// random permutation, up to 1/16 more here.
+/// Elements that stay in place, and neighbours that stay neighbours: 1 of each on average in a random
+/// permutation, up to 1/16 more here.
 #[test]
 fn few_elements_stay() {
     for (len, trials) in [(100, 20_000), (257, 8000), (1000, 3000), (65_537, 100)] {
@@ -175,8 +166,8 @@ fn few_elements_stay() {
     }
 }
 
-/// No simple seed gives the identity. Nor does 0xe58d538d, a fixed point of the hash: if a round's
-/// key did not depend on its number, every round would undo the one before.
+/// No simple seed is the identity, nor is 0xe58d538d, which would be if a round's key did not depend on
+/// the number of the round: the hash gives it back, and every round would undo the one before.
 #[test]
 fn seeds_are_not_the_identity() {
     for len in [16, 17, 100, 1000, 65_537, u32::MAX] {

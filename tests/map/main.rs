@@ -1,0 +1,12 @@
+//! The maps, in every arithmetic.
+//!
+//! | module | proves |
+//! | --- | --- |
+//! | `inputs` | the promises, over the whole domain of inputs |
+//! | `accuracy` | errors are within the contracts, and no bound of a contract is stale |
+//! | `statistics` | every map distributes points as it says |
+#![cfg(feature = "libm")]
+
+mod accuracy;
+mod inputs;
+mod statistics;
