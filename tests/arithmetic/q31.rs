@@ -129,16 +129,16 @@ fn inverses_and_densities_are_total() {
             "{direction:?}"
         );
         for map in powers {
-            map.invert(direction);
+            let _ = map.invert(direction);
         }
-        Uniform::<Q31>::new().invert(direction);
-        Uniform::over(Polar::<Q31>::new()).invert(direction);
-        Cosine::<Q31>::new().invert(direction);
-        Concentric::<Q31>::new().invert([x, y]);
-        Polar::<Q31>::new().invert([x, y]);
-        UnitSquare::<Q31>::new().invert([x, y]);
-        Rejection::<Q31>::invert([x, y]);
-        Rejection::<Q31>::density([x, y]);
+        let _ = Uniform::<Q31>::new().invert(direction);
+        let _ = Uniform::over(Polar::<Q31>::new()).invert(direction);
+        let _ = Cosine::<Q31>::new().invert(direction);
+        let _ = Concentric::<Q31>::new().invert([x, y]);
+        let _ = Polar::<Q31>::new().invert([x, y]);
+        let _ = UnitSquare::<Q31>::new().invert([x, y]);
+        let _ = Rejection::<Q31>::invert([x, y]);
+        let _ = Rejection::<Q31>::density([x, y]);
     }
 }
 

@@ -85,12 +85,12 @@ fn total([x, y, z]: [f32; 3], e: f32) {
     }
     lobes.0.invert([x, y, z]);
     lobes.1.invert([x, y, z]);
-    Uniform::<Checked>::new().invert([x, y, z]);
-    Uniform::over(Polar::<Checked>::new()).invert([x, y, z]);
-    Cosine::<Checked>::new().invert([x, y, z]);
-    Cosine::over(Polar::<Checked>::new()).invert([x, y, z]);
-    Concentric::<Checked>::new().invert([x, y]);
-    Polar::<Checked>::new().invert([x, y]);
+    let _ = Uniform::<Checked>::new().invert([x, y, z]);
+    let _ = Uniform::over(Polar::<Checked>::new()).invert([x, y, z]);
+    let _ = Cosine::<Checked>::new().invert([x, y, z]);
+    let _ = Cosine::over(Polar::<Checked>::new()).invert([x, y, z]);
+    let _ = Concentric::<Checked>::new().invert([x, y]);
+    let _ = Polar::<Checked>::new().invert([x, y]);
 }
 
 /// libm f32, but insisting on the ranges that `Float` documents.
