@@ -16,7 +16,7 @@ What decides each constant that is not a mathematical one:
 
     ARC_LESS      pi/4 delta^2 / 96 at the edge of a part, in 2^-26, to the nearest
     NEAREST_PART  half a part less 1/256: below half by more than the largest reciprocal is too large
-    INWARD        the largest shift with which no rounded vector is longer than the true one: `inward`
+    INWARD        the largest shift with which no rounded vector is longer than the true one: `too_long`
 """
 
 import random

@@ -38,7 +38,7 @@ const fn root_by<const BY_HALVES: bool>(n: u64) -> u32 {
     if n == 0 {
         return 0;
     }
-    // In [1/4, 1) of units of 2^-64.
+    // From 1/4 to 1, in units of 2^-64.
     let (normal, shift) = if COUNTS_ZEROS && !BY_HALVES { counted(n) } else { shifted(n) };
     let x_q32 = (normal >> 32) as u32;
     let seed_q15 = SEEDS[(x_q32 >> 25) as usize] as u32;
@@ -54,7 +54,8 @@ const fn root_by<const BY_HALVES: bool>(n: u64) -> u32 {
     // Good to 24 bits; the residual of the square gives the rest.
     let g = near_high::<BY_HALVES>(x_q32, y_q29) << 3;
     let residual_q64 = normal.wrapping_sub(product(g, g)).cast_signed();
-    // Below 2^15 either: a product of 2^-52, in 2^-31 after the shift, and its half in 2^-32.
+    // Each is at most 2^15 units. Of the product, in 2^-52, 20 places lead to 2^-32, and one more
+    // to the half that a step is.
     let (residual_q38, y_q14) = ((residual_q64 >> 26) as i32, (y_q29 >> 15).cast_signed());
     let step = (residual_q38 * y_q14) >> 21;
     let g = g as i64 + step as i64;

@@ -152,7 +152,7 @@ const fn rotate_to_part(m: u32, reciprocal: u32, part: u32, d_q38: i32) -> (u32,
     }
 }
 
-/// Half a part less 1/256 of one, in units of 2^-24 parts: what rounds to the nearest part.
+/// Half a part less 1/256 of one, in units of 2^-24 of a part: what rounds to the nearest part.
 ///
 /// A reciprocal is too large by at most 2^-17 (the test `every_reciprocal_is_below_and_near`),
 /// which is 2^-10 of 128 parts. With 1/256 less than half a part, the part chosen is never above

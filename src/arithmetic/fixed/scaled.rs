@@ -139,8 +139,8 @@ pub(in crate::arithmetic) const fn log(x: u64, rest: u64) -> Scaled {
     let normal = rest << zeros;
     // m = 1 - x scaled to [1/2, 1): 6 bits below its top bit are the part.
     let part = (normal >> 57 & 63) as usize;
-    // 48 bits of m times c in 2^-15: 1 + u in units of 2^-63, less 1, and u in units of 2^-64 of
-    // which the last is 0.
+    // m in units of 2^-48 times c in units of 2^-15 is 1 + u in units of 2^-63. Less 1, and in
+    // units of 2^-64.
     let u = ((normal >> 16) * factor(part)).wrapping_sub(1 << 63) << 1;
     // ln(1 + u) = u (1 - u/2 + u^2/3 - u^3/4 + u^4/5 - u^5/6)
     let h = over(5) - high_64(u, over(6));

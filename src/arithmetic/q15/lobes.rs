@@ -1,6 +1,6 @@
 //! The lobes of Q15, with logarithms to base 2.
 //!
-//! **Power.** With L = -log2(1 - r^2) and lambda = L / (e + 1), z = 2^-lambda and
+//! **Power.** With L = -log2(1 - r^2) and lambda = L / (e + 1), the height is z = 2^-lambda, and
 //! sin^2 theta = 1 - 4^-lambda. The disc point times sin theta / r gives x and y. At the pole that
 //! factor is 0/0, and 1 - z^2 has lost all digits; but with
 //!
