@@ -1,6 +1,6 @@
 //! Points and a render on a small panel, as a firmware draws them.
 //!
-//! `cargo run --release --all-features --example display [-- --out DIR]` writes under DIR (default
+//! `cargo run --release --example display [-- --out DIR]` writes under DIR (default
 //! `target/display`) what a panel of 160 x 128 pixels of 16 bits shows, at twice its size:
 //!
 //! - `points.png`: 256 lens samples of six sequences each;
@@ -15,21 +15,36 @@
 mod tests;
 
 use clap::Parser;
-use embedded_graphics::pixelcolor::Rgb565;
-use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
+use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
+use embedded_graphics::image::GetPixel;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, raw};
+use embedded_graphics::prelude::*;
 use examples::messages::{answer, say, unwritable};
 use std::error::Error;
-use std::fs;
+use std::fs::{self, File};
+use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use testkit::panel::picture::PASSES;
 use testkit::panel::scene::Objects;
 use testkit::panel::{discs, picture};
 
-/// Width and height.
-const SIZE: [u32; 2] = [160, 128];
+const WIDTH: usize = 160;
+const HEIGHT: usize = 128;
+/// Pixels of a file along the side of one of the panel.
+const SCALE: u32 = 2;
 /// Of a pixel of the render.
 const SAMPLES: u16 = 4;
+
+/// The panel in memory.
+type Display = Framebuffer<
+    Rgb565,
+    raw::RawU16,
+    raw::LittleEndian,
+    WIDTH,
+    HEIGHT,
+    { buffer_size::<Rgb565>(WIDTH, HEIGHT) },
+>;
 
 /// Draws points and a render as a small panel shows them.
 #[derive(Parser)]
@@ -45,12 +60,12 @@ fn main() -> ExitCode {
 
 fn run(out: &Path) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(out).map_err(|error| unwritable(out, &error))?;
-    let mut display = SimulatorDisplay::<Rgb565>::new(SIZE.into());
+    let mut display = Display::new();
     discs::draw(&mut display)?;
     save(&display, &out.join("points.png"))?;
 
     let objects = Objects::new()?;
-    let scene = objects.still_life(SIZE)?;
+    let scene = objects.still_life([WIDTH as u32, HEIGHT as u32])?;
     let names = ["pass-1.png", "pass-2.png", "pass-3.png", "render.png"];
     for (pass, name) in PASSES.into_iter().zip(names) {
         picture::draw(&mut display, pass, SAMPLES, |from, samples, sums| {
@@ -62,8 +77,27 @@ fn run(out: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn save(display: &SimulatorDisplay<Rgb565>, path: &Path) -> Result<(), Box<dyn Error>> {
-    let settings = OutputSettingsBuilder::new().scale(2).build();
-    let image = display.to_rgb_output_image(&settings);
-    Ok(image.save_png(path).map_err(|error| format!("cannot write {}: {error}", path.display()))?)
+fn save(display: &Display, path: &Path) -> Result<(), Box<dyn Error>> {
+    Ok(png(display, path).map_err(|error| format!("cannot write {}: {error}", path.display()))?)
+}
+
+/// Writes what the panel shows, enlarged.
+fn png(display: &Display, path: &Path) -> io::Result<()> {
+    let size = display.size() * SCALE;
+    let mut bytes = Vec::new();
+    for y in 0..size.height {
+        for x in 0..size.width {
+            let pixel = display.pixel(Point::new((x / SCALE) as i32, (y / SCALE) as i32));
+            let colour = Rgb888::from(pixel.unwrap_or_default());
+            bytes.extend([colour.r(), colour.g(), colour.b()]);
+        }
+    }
+    let mut encoder =
+        png::Encoder::new(BufWriter::new(File::create(path)?), size.width, size.height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::High);
+    encoder.set_filter(png::Filter::Adaptive);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&bytes)?;
+    writer.finish().map_err(io::Error::from)
 }
