@@ -61,7 +61,10 @@ macro_rules! sequences {
                 let mut parameters = Parameters::new(1, 0);
                 $(parameters.$part = u.arbitrary()?;)*
                 let parameters = accepted(parameters);
-                let make = || Ok::<_, Error>(made_by!($kind Self::$new($(parameters.$part),*)));
+                let make = || -> Result<Self, Error> {
+                    let made = made_by!($kind Self::$new($(parameters.$part),*));
+                    Ok(made)
+                };
                 // None is refused, as `tests/arbitrary.rs` shows.
                 make().map_err(|_| arbitrary::Error::IncorrectFormat)
             }

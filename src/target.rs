@@ -37,6 +37,7 @@ pub(crate) const HALVES: bool = cfg!(all(
 ));
 
 /// Whether the processor counts leading zeros in one instruction.
+#[cfg(feature = "fixed-point")]
 pub(crate) const COUNTS_ZEROS: bool =
     !HALVES && !cfg!(all(target_arch = "riscv32", not(target_feature = "zbb")));
 

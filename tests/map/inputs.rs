@@ -83,8 +83,8 @@ fn total([x, y, z]: [f32; 3], e: f32) {
         assert!(density >= 0.0 && density.is_finite(), "{x} {y} {z}, e = {e}: {density}");
         assert!(z > 0.0 || density == 0.0 || density == std::f32::consts::FRAC_1_PI);
     }
-    lobes.0.invert([x, y, z]);
-    lobes.1.invert([x, y, z]);
+    let _ = lobes.0.invert([x, y, z]);
+    let _ = lobes.1.invert([x, y, z]);
     let _ = Uniform::<Checked>::new().invert([x, y, z]);
     let _ = Uniform::over(Polar::<Checked>::new()).invert([x, y, z]);
     let _ = Cosine::<Checked>::new().invert([x, y, z]);

@@ -125,7 +125,7 @@ fn shards_together_are_the_whole() {
         let whole = square(&format!("--sequence {name} --count 150 --seed 9"));
         assert_eq!(whole.len(), 150, "{name}");
         for cut in [0, 1, 64, 149] {
-            if SETS.contains(&name) {
+            if SETS.contains(name) {
                 let tail = square(&format!("--sequence {name} --count 150 --start {cut} --seed 9"));
                 assert_eq!(tail, whole[cut..], "{name} from {cut}");
             } else {
@@ -137,7 +137,7 @@ fn shards_together_are_the_whole() {
                 assert_eq!(together[..150], whole, "{name} cut at {cut}");
             }
         }
-        if SETS.contains(&name) {
+        if SETS.contains(name) {
             assert!(square(&format!("--sequence {name} --count 150 --start 150")).is_empty());
         } else {
             let last = square(&format!("--sequence {name} --count 2 --start {}", u32::MAX - 1));
@@ -162,7 +162,7 @@ fn seeds_move_the_sequences_that_take_one() {
     for name in SEQUENCES {
         let rows = |seed| square(&format!("--sequence {name} --count 64 --seed {seed}"));
         assert_eq!(rows(0), square(&format!("--sequence {name} --count 64")), "{name}: default 0");
-        let ignored = ["regular", "hammersley", "halton"].contains(&name);
+        let ignored = ["regular", "hammersley", "halton"].contains(name);
         for seed in [1, 2, u32::MAX] {
             assert_eq!(rows(0) == rows(seed), ignored, "{name}, seed {seed}");
         }

@@ -2,7 +2,7 @@
 //! is `core` alone.
 //!
 //! It is built for every core and no more. A program has a driver's display to give to
-//! `panel::discs::draw` and `panel::picture::draw`, as the example has its simulator.
+//! `panel::discs::draw` and `panel::picture::draw`, as the example has its frame buffer.
 #![no_std]
 
 pub use testkit::panel;
