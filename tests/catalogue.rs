@@ -38,13 +38,14 @@ fn every_sequence_is_listed() {
     let mut names = Names(Vec::new());
     sequences(64, 0, &mut names).unwrap();
     assert_eq!(names.0, SEQUENCES);
-    // Adaptors of the caller's points are not in a list of sequences that make their own.
-    let adaptors = ["stored", "shuffled", "rng"];
+    // What takes points of the caller's, and what sequences share, has no place in a list of what
+    // makes points.
+    let others = ["stored", "shuffled", "rng", "walk"];
     let listed = names.0.iter().map(|name| match *name {
         "nrooks" => "n_rooks".to_string(),
         name => name.replace('-', "_"),
     });
-    let expected: BTreeSet<_> = listed.chain(adaptors.map(String::from)).collect();
+    let expected: BTreeSet<_> = listed.chain(others.map(String::from)).collect();
     assert_eq!(files("sequence"), expected);
 }
 
@@ -122,4 +123,19 @@ fn grids_hold_their_points() {
     let empty = sequences(0, 0, &mut sizes);
     assert_eq!(empty, Err(Error::EmptyGrid { columns: 0, rows: 0 }));
     assert_eq!(sizes.0, [], "nothing is visited");
+}
+
+#[test]
+fn every_effect_is_listed() {
+    use hemidisc::catalogue::EFFECTS;
+    macro_rules! listed {
+        ($($file:ident $effect:ident $name:literal;)*) => {
+            (vec![$(stringify!($file).to_string()),*], vec![$($name),*])
+        };
+    }
+    let (mut listed, names) = hemidisc::for_each_effect!(listed);
+    assert_eq!(names, EFFECTS);
+    // An aperture is a map, not an effect.
+    listed.push("polygon".into());
+    assert_eq!(files("effect"), listed.into_iter().collect());
 }

@@ -15,7 +15,7 @@ use hemidisc::{
     disc::Rejection,
 };
 use testkit::contract::contract;
-use testkit::errors::hard_coordinates;
+use testkit::errors::{EachMap, Errors, each_power_map, hard_coordinates};
 use testkit::reference;
 
 const LSB: f64 = 1.0 / 2_147_483_648.0;
@@ -103,6 +103,42 @@ fn concentric_over_random_pairs() {
     );
 }
 
+/// Hard pairs and random ones.
+fn pairs() -> Vec<[u32; 2]> {
+    let hard = hard_coordinates();
+    let sparse = hard.iter().step_by(3);
+    let pairs = sparse.flat_map(|&u| hard.iter().map(move |&v| [u, v]));
+    pairs.chain((0..100_000).map(|i| Random::new(31).at(i))).collect()
+}
+
+/// The errors of the lobe of an exponent, against its contract.
+struct Largest(f64);
+
+impl EachMap<Q31> for Largest {
+    fn each<const D: usize, M: Invert<Point = [Q31; D]>>(
+        &mut self,
+        kind: &'static str,
+        disc: &'static str,
+        map: M,
+    ) {
+        let (contract, e) = (contract("q31", kind).unwrap(), self.0);
+        for uv in pairs() {
+            let exact = reference::reference::<Q31>(kind, disc, e, uv);
+            let errors = Errors::at::<Q31, _>(&map, uv, e, exact, &contract);
+            let label = format_args!("{kind}/{disc} e = {e} at {uv:08x?}");
+            errors.assert_within(&contract, true, true, &label);
+        }
+    }
+}
+
+/// From 2^32 - 1 on e + 1 takes one bit more than 64. `tests/map` has no exponent as large.
+#[test]
+fn the_largest_exponents_hold_the_contract() {
+    for e in [1e9, 4_294_967_295.0] {
+        each_power_map::<Q31>(FixedExponent::try_from(e).unwrap(), &mut Largest(e));
+    }
+}
+
 /// Any bits are a point or a direction to an inverse and to a density. An answer comes without a
 /// panic, also at the ends of 32 bits, and nothing has a density below the horizon.
 #[test]
@@ -144,9 +180,7 @@ fn inverses_and_densities_are_total() {
 
 #[test]
 fn the_square_and_rejection_come_back() {
-    let hard = hard_coordinates();
-    let pairs = hard.iter().flat_map(|&u| hard.iter().step_by(3).map(move |&v| [u, v]));
-    for uv in pairs.chain((0..100_000).map(|i| Random::new(31).at(i))) {
+    for uv in pairs() {
         let square = UnitSquare::<Q31>::new();
         assert_eq!(square.invert(square.sample(uv)), uv.map(|k| k & !1));
         assert_eq!(square.density(square.sample(uv)), Q31::MAX);
