@@ -8,6 +8,8 @@
 //! | --- | --- |
 //! | `map/MAP/DISC/ARITHMETIC` | points of stored coordinates |
 //! | `fused/SEQUENCE/MAP/DISC/ARITHMETIC` | points of a sequence |
+//! | `turned/MAP/DISC/ARITHMETIC` | directions about a frame, of stored coordinates |
+//! | `components/MAP/DISC/ARITHMETIC` | points of stored coordinates, a buffer for each component |
 //! | `sequence/NAME` | coordinates |
 //! | `effect/EFFECT/ARITHMETIC` | samples of an effect, of stored coordinates |
 //! | `render/SCENE/ARITHMETIC` | pixels of a scene |
@@ -42,6 +44,9 @@ pub fn fills(visitor: &mut impl Visitor) {
     sequences::every(visitor);
     maps::every(visitor);
     maps::fused(visitor);
+    maps::components(visitor);
+    // An error leaves fills out, which the report tells.
+    let _ = maps::turned(visitor);
     peers::every(visitor);
 }
 

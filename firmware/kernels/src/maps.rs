@@ -1,13 +1,15 @@
-//! Every map of every arithmetic, from stored coordinates; and some from a sequence.
+//! Every map of every arithmetic, from stored coordinates; and some from a sequence, about a frame
+//! or into a buffer for each component.
 
-use crate::Visitor;
+use crate::{COUNT, Visitor};
 use core::hint::black_box;
 use hemidisc::arithmetic::{Arithmetic, FixedExponent};
 use hemidisc::disc::Rejection;
+use hemidisc::frame::About;
 use hemidisc::sequence::{Sobol, SobolOwen, Stored};
 use hemidisc::{
-    Concentric, Cosine, FastF32, LibmF32, LibmF64, Map, MicromathF32, Points, Polar, Power, Q15,
-    Q15Div, Q31, Uniform, UnitSquare,
+    Concentric, Cosine, Error, FastF32, Frame, LibmF32, LibmF64, Map, MicromathF32, Points, Polar,
+    Power, Q15, Q15Div, Q31, Uniform, UnitSquare,
 };
 
 type Slot<A> = <A as Arithmetic>::Real;
@@ -152,5 +154,54 @@ pub(crate) fn fused(visitor: &mut impl Visitor) {
         "sobol" Sobol, "disc/concentric/q15" Concentric<Q15>, [Q15; 2], Concentric::new();
         "sobol-owen" SobolOwen, "disc/concentric/q15" Concentric<Q15>, [Q15; 2], Concentric::new();
         "sobol" Sobol, "disc/concentric/fast-f32" Concentric<FastF32>, [f32; 2], Concentric::new();
+    }
+}
+
+macro_rules! turned {
+    ($visitor:ident: $($path:literal $map:ty, $value:expr;)*) => {$(
+        fill!(
+            $visitor, concat!("turned/", $path), About<$map, f32>,
+            [f32; 3], $value.about(Frame::new([0.6, 0.0, 0.8])?)
+        );
+    )*};
+}
+
+/// Lobes about the third axis of a frame, from stored coordinates.
+pub(crate) fn turned(visitor: &mut impl Visitor) -> Result<(), Error> {
+    turned! {
+        visitor:
+        "power/concentric/fast-f32" Power<FastF32>, Power::<FastF32>::new(black_box(50.0))?;
+        "cosine/concentric/fast-f32" Cosine<FastF32>, Cosine::<FastF32>::new();
+    }
+    Ok(())
+}
+
+macro_rules! components {
+    ($visitor:ident: $($path:literal $map:ty, $component:ty, $value:expr;)*) => {$({
+        #[unsafe(export_name = concat!("components/", $path))]
+        #[inline(never)]
+        fn fill(
+            map: &$map, coordinates: &[[u32; 2]], x: &mut [$component], y: &mut [$component]
+        ) -> usize {
+            let Ok(stored) = Stored::new(coordinates) else { return 0 };
+            Points::new(stored, *map).fill_components([x, y])
+        }
+        let map = black_box($value);
+        $visitor.points(
+            concat!("components/", $path),
+            |coordinates, points: &mut [[$component; 2]]| {
+                let (x, y) = points.as_flattened_mut().split_at_mut(COUNT);
+                fill(&map, coordinates, x, y)
+            },
+        );
+    })*};
+}
+
+/// Fills of a buffer for each component, from stored coordinates.
+pub(crate) fn components(visitor: &mut impl Visitor) {
+    components! {
+        visitor:
+        "disc/concentric/q15" Concentric<Q15>, Q15, Concentric::new();
+        "disc/concentric/fast-f32" Concentric<FastF32>, f32, Concentric::new();
     }
 }

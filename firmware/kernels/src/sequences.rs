@@ -2,22 +2,23 @@
 
 use crate::{COUNT, Visitor};
 use core::hint::black_box;
-use hemidisc::Error;
-use hemidisc::sequence::{
-    Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sequence,
-    Sobol, SobolOwen,
-};
+use hemidisc::catalogue::Parameters;
+use hemidisc::sequence::Sequence;
+use hemidisc::{Error, sequence};
 
-/// A function that fills by a sequence, under its path.
+/// A function that fills by each sequence, under its path.
 macro_rules! sequences {
-    ($visitor:ident: $($name:literal $type:ty, $value:expr;)*) => {$({
+    ($visitor:ident $parameters:ident
+        $($file:ident $sequence:ident $name:literal $kind:ident $new:ident($($part:ident),*);)*
+    ) => {$({
         #[unsafe(export_name = concat!("sequence/", $name))]
         #[inline(never)]
-        fn fill(sequence: &$type, points: &mut [[u32; 2]]) -> usize {
+        fn fill(sequence: &sequence::$sequence, points: &mut [[u32; 2]]) -> usize {
             sequence.fill_with(0, points, |point| point);
             points.len()
         }
-        let sequence = black_box($value);
+        let made = sequence::$sequence::$new($($parameters.$part),*);
+        let sequence = black_box(hemidisc::made_by!($kind made));
         $visitor.points(
             concat!("sequence/", $name),
             |_, points: &mut [[u32; 2]]| fill(&sequence, points),
@@ -26,22 +27,8 @@ macro_rules! sequences {
 }
 
 fn all(visitor: &mut impl Visitor) -> Result<(), Error> {
-    let (count, seed) = (COUNT as u32, black_box(7));
-    let side = count.isqrt();
-    sequences! {
-        visitor:
-        "regular" Regular, Regular::new(side, side)?;
-        "random" Random, Random::new(seed);
-        "jittered" Jittered, Jittered::new(side, side, seed)?;
-        "nrooks" NRooks, NRooks::new(count, seed)?;
-        "multi-jittered" MultiJittered, MultiJittered::new(side, side, seed)?;
-        "correlated" Correlated, Correlated::new(side, side, seed)?;
-        "hammersley" Hammersley, Hammersley::new(count)?;
-        "halton" Halton, Halton::new();
-        "sobol" Sobol, Sobol::new(seed);
-        "sobol-owen" SobolOwen, SobolOwen::new(seed);
-        "r2" R2, R2::new(seed);
-    }
+    let parameters = Parameters::new(COUNT as u32, black_box(7));
+    hemidisc::for_each_sequence!(sequences visitor parameters);
     Ok(())
 }
 

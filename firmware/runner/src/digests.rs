@@ -41,7 +41,7 @@ pub fn compare(core: &Core, printed: &str) -> Result<Files> {
     }
     let expected = ["square", "domain", "effects", "render"]
         .into_iter()
-        .chain(hemidisc::catalogue::ARITHMETICS);
+        .chain(hemidisc::catalogue::ARITHMETICS.iter().copied());
     for name in expected {
         ensure!(files.names.contains(name), "{} gives no digests of {name}", core.name);
     }

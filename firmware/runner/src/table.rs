@@ -82,7 +82,18 @@ fn compiler_line(report: &Report) -> String {
 
 /// All of it.
 fn whole(report: &Report) -> String {
-    let kinds = ["map", "fused", "sequence", "effect", "render", "exponent", "peer", "loop"];
+    let kinds = [
+        "map",
+        "turned",
+        "components",
+        "fused",
+        "sequence",
+        "effect",
+        "render",
+        "exponent",
+        "peer",
+        "loop",
+    ];
     let tables = kinds.into_iter().map(|kind| of_kind(report, kind).unwrap_or_default());
     let mut text = compiler_line(report) + &tables.collect::<Vec<_>>().join("\n");
     text += "\n| lens example | flash, bytes | RAM without stack, bytes |\n| --- | ---: | ---: |\n";

@@ -14,18 +14,18 @@ fn file<A: Arithmetic<Real: Digestible>>() -> Result<(), Error> {
     lines::arithmetic::<A>(&mut |line| println!("{line}"))
 }
 
+/// The file of each arithmetic.
+macro_rules! arithmetics {
+    ($($arithmetic:ident)*) => { $(file::<$arithmetic>()?;)* };
+}
+
 fn files() -> Result<(), Error> {
     println!("file square");
     lines::squares(&mut |line| println!("{line}"))?;
     println!("file domain");
     lines::domains(&mut |line| println!("{line}"))?;
-    file::<Q15>()?;
-    file::<Q15Div>()?;
-    file::<Q31>()?;
-    file::<FastF32>()?;
-    file::<MicromathF32>()?;
-    file::<LibmF32>()?;
-    file::<LibmF64>()
+    arithmetics!(Q15 Q15Div Q31 FastF32 MicromathF32 LibmF32 LibmF64);
+    Ok(())
 }
 
 #[board::entry]

@@ -7,16 +7,20 @@ use board::{end, println};
 use hemidisc::{Error, FastF32, LibmF32, LibmF64, MicromathF32};
 use testkit::golden::{effects, render};
 
+/// The lines of each arithmetic.
+macro_rules! arithmetics {
+    ($module:ident::$lines:ident, $line:expr, $($arithmetic:ident)*) => {
+        $($module::$lines::<$arithmetic>($line)?;)*
+    };
+}
+
 fn files() -> Result<(), Error> {
     println!("file effects");
     let mut line = |line: core::fmt::Arguments| println!("{line}");
-    effects::effects::<FastF32>(&mut line)?;
-    effects::effects::<MicromathF32>(&mut line)?;
-    effects::effects::<LibmF32>(&mut line)?;
-    effects::effects::<LibmF64>(&mut line)?;
+    arithmetics!(effects::effects, &mut line, FastF32 MicromathF32 LibmF32 LibmF64);
     println!("file render");
-    render::digests::<FastF32>(&mut line)?;
-    render::digests::<MicromathF32>(&mut line)
+    arithmetics!(render::digests, &mut line, FastF32 MicromathF32);
+    Ok(())
 }
 
 #[board::entry]
