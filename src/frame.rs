@@ -109,7 +109,7 @@ pub(crate) fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
 ///
 /// Rotation rounds: a direction at the horizon may end a few eps below the plane, where its density
 /// is 0. The angle to the axis of a sharp lobe is off by an eps, so the density of a turned
-/// direction is accurate to about sqrt(e) eps. [`sample_with_density`](Map::sample_with_density)
+/// direction is accurate to about sqrt(e) eps. [`sample_with_density`](Density::sample_with_density)
 /// takes the density before the rotation: positive for every sample, and as accurate as the lobe's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct About<M, R> {

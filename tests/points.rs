@@ -100,7 +100,10 @@ fn the_last_index_is_reached() {
     assert_eq!(Points::with_range(sequence, map, 1..).unwrap().len(), u32::MAX);
     let error = Points::with_range(sequence, map, ..=u32::MAX).unwrap_err();
     assert_eq!(error, Error::Range { start: 0, count: 1 << 32, len: 1 << 32 });
-    assert_eq!(error.to_string(), "a range of 4294967296 points; accepted: at most 4294967295");
+    assert_eq!(
+        error.to_string(),
+        "a range of 4294967296 points; accepted: at most 4294967295 points"
+    );
     let backward = core::ops::Range { start: 5, end: 3 };
     let error = Points::with_range(sequence, map, backward).unwrap_err();
     assert_eq!(error.to_string(), "a range from 5 to 3; accepted: an end not below the start");
