@@ -26,6 +26,11 @@ pub trait Point: Copy + sealed::Sealed {
     #[doc(hidden)]
     fn zeros() -> Self::Components;
 
+    /// Writes the point into its slot, a component at a time: LLVM likes that better than an array
+    /// whose parts it has just formed.
+    #[doc(hidden)]
+    fn store(self, slot: &mut Self);
+
     /// Writes the point into a lane of a block.
     #[doc(hidden)]
     fn put(self, components: &mut Self::Components, lane: usize);
@@ -47,6 +52,13 @@ impl<R: Copy + Default, const D: usize> Point for [R; D] {
     #[inline(always)]
     fn zeros() -> [Lanes<R>; D] {
         [[R::default(); BLOCK]; D]
+    }
+
+    #[inline(always)]
+    fn store(self, slot: &mut Self) {
+        for (component, value) in slot.iter_mut().zip(self) {
+            *component = value;
+        }
     }
 
     #[inline(always)]

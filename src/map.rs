@@ -55,6 +55,11 @@ pub trait Map: Copy {
     /// Its points: `[Real; 2]` or `[Real; 3]`.
     type Point: Point;
 
+    /// Whether [`sample`](Self::sample) is no vector code, so that a block of points is stored
+    /// point by point where points are interleaved. The bits are the same.
+    #[doc(hidden)]
+    const POINTWISE: bool = false;
+
     /// The point of a pair of coordinates; every bit pattern is valid.
     #[must_use]
     fn sample(&self, uv: [u32; 2]) -> Self::Point;

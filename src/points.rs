@@ -222,8 +222,7 @@ impl<S: Sequence, M: Map> Points<S, M> {
         let (mut u, mut v, mut components) = ([0; BLOCK], [0; BLOCK], M::Point::zeros());
         for index in 0..(count - ahead.min(count)) / BLOCK {
             sequence.block(start, &mut u, &mut v);
-            map.sample_block(&u, &v, &mut components);
-            blocks.store(index, &components);
+            blocks.fill_block(index, &u, &v, &map, &mut components);
             start = start.wrapping_add(BLOCK as u32);
         }
         tail.fill_singly((count - ahead.min(count)) % BLOCK, &sequence, start, &map);

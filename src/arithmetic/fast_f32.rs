@@ -95,6 +95,7 @@ impl Root for FastF32 {
 impl Arithmetic for FastF32 {
     const NAME: &'static str = "fast-f32";
     const ABSOLUTE_DENSITY: bool = true;
+    const POINTWISE: bool = false;
 
     type Real = f32;
     type Disc = FastDisc;

@@ -71,6 +71,7 @@ impl<T: Float> Root for T {
 impl<T: Float> Arithmetic for T {
     const NAME: &'static str = T::NAME;
     const ABSOLUTE_DENSITY: bool = true;
+    const POINTWISE: bool = true;
 
     type Real = T::Real;
     type Disc = FloatDisc<T::Real>;

@@ -71,6 +71,7 @@ macro_rules! arithmetic_on_q15 {
             impl $crate::arithmetic::Arithmetic for $arithmetic {
                 const NAME: &'static str = $name;
                 const ABSOLUTE_DENSITY: bool = false;
+                const POINTWISE: bool = true;
 
                 type Real = Q15;
                 type Disc = Q15Disc;

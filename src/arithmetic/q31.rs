@@ -59,6 +59,7 @@ impl Sealed for Q31 {}
 impl Arithmetic for Q31 {
     const NAME: &'static str = "q31";
     const ABSOLUTE_DENSITY: bool = false;
+    const POINTWISE: bool = true;
 
     type Real = Self;
     type Disc = Q31Disc;

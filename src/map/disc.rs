@@ -75,6 +75,8 @@ macro_rules! disc_map {
             impl<A: Arithmetic> Map for $map<A> {
                 type Point = [A::Real; 2];
 
+                const POINTWISE: bool = A::POINTWISE;
+
                 #[inline(always)]
                 fn sample(&self, uv: [u32; 2]) -> [A::Real; 2] {
                     A::$point(uv)

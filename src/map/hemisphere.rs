@@ -147,6 +147,8 @@ impl<A: Arithmetic, D> Hemisphere<PowerLobe<A>, D> {
 impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Map for Hemisphere<L, D> {
     type Point = Direction<L::Arithmetic>;
 
+    const POINTWISE: bool = L::Arithmetic::POINTWISE;
+
     #[inline(always)]
     fn sample(&self, uv: [u32; 2]) -> Self::Point {
         self.lobe.lift(D::disc(uv))

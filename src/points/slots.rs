@@ -1,6 +1,6 @@
 //! Where points are stored: interleaved in one buffer, or each component in a buffer of its own.
 
-use crate::block::{BLOCK, Lanes, Point};
+use crate::block::{BLOCK, Block, Lanes, Point};
 use crate::map::Map;
 use crate::sequence::Sequence;
 
@@ -18,8 +18,16 @@ pub(super) trait Slots<P: Point>: Sized {
         map: &M,
     );
 
-    /// Stores a block of points: the `index`-th of these slots.
-    fn store(&mut self, index: usize, components: &P::Components);
+    /// Stores the points of a block of coordinates: the `index`-th block of these slots.
+    /// `components` is memory for them.
+    fn fill_block<M: Map<Point = P>>(
+        &mut self,
+        index: usize,
+        u: &Block,
+        v: &Block,
+        map: &M,
+        components: &mut P::Components,
+    );
 }
 
 impl<P: Point> Slots<P> for &mut [P] {
@@ -40,8 +48,21 @@ impl<P: Point> Slots<P> for &mut [P] {
     }
 
     #[inline(always)]
-    fn store(&mut self, index: usize, components: &P::Components) {
-        if let Some(block) = self.as_chunks_mut::<BLOCK>().0.get_mut(index) {
+    fn fill_block<M: Map<Point = P>>(
+        &mut self,
+        index: usize,
+        u: &Block,
+        v: &Block,
+        map: &M,
+        components: &mut P::Components,
+    ) {
+        let Some(block) = self.as_chunks_mut::<BLOCK>().0.get_mut(index) else { return };
+        if M::POINTWISE {
+            for (slot, (u, v)) in block.iter_mut().zip(u.iter().zip(v)) {
+                map.sample([*u, *v]).store(slot);
+            }
+        } else {
+            map.sample_block(u, v, components);
             P::interleave(components, block);
         }
     }
@@ -82,8 +103,16 @@ impl<R: Copy + Default, const D: usize> Slots<[R; D]> for Apart<'_, R, D> {
     }
 
     #[inline(always)]
-    fn store(&mut self, index: usize, components: &[Lanes<R>; D]) {
-        for (buffer, lanes) in self.0.iter_mut().zip(components) {
+    fn fill_block<M: Map<Point = [R; D]>>(
+        &mut self,
+        index: usize,
+        u: &Block,
+        v: &Block,
+        map: &M,
+        components: &mut [Lanes<R>; D],
+    ) {
+        map.sample_block(u, v, components);
+        for (buffer, lanes) in self.0.iter_mut().zip(&*components) {
             if let Some(block) = buffer.as_chunks_mut::<BLOCK>().0.get_mut(index) {
                 *block = *lanes;
             }
