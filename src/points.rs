@@ -214,18 +214,19 @@ impl<S: Sequence, M: Map> Points<S, M> {
             slots.fill_singly(count, &sequence, start, &map);
             return count;
         }
-        let ahead = (start.wrapping_neg() % BLOCK as u32) as usize;
-        let (head, rest) = slots.split(ahead.min(count));
-        let (mut blocks, tail) = rest.split((count - ahead.min(count)) / BLOCK * BLOCK);
-        head.fill_singly(ahead.min(count), &sequence, start, &map);
+        let ahead = count.min((start.wrapping_neg() % BLOCK as u32) as usize);
+        let (full, odd) = ((count - ahead) / BLOCK, (count - ahead) % BLOCK);
+        let (head, rest) = slots.split(ahead);
+        let (mut blocks, tail) = rest.split(full * BLOCK);
+        head.fill_singly(ahead, &sequence, start, &map);
         let mut start = start.wrapping_add(ahead as u32);
         let (mut u, mut v, mut components) = ([0; BLOCK], [0; BLOCK], M::Point::zeros());
-        for index in 0..(count - ahead.min(count)) / BLOCK {
+        for index in 0..full {
             sequence.block(start, &mut u, &mut v);
             blocks.fill_block(index, &u, &v, &map, &mut components);
             start = start.wrapping_add(BLOCK as u32);
         }
-        tail.fill_singly((count - ahead.min(count)) % BLOCK, &sequence, start, &map);
+        tail.fill_singly(odd, &sequence, start, &map);
         count
     }
 
