@@ -2,8 +2,7 @@
 //!
 //! `serde` writes and reads the form. A value is read by its constructor, which refuses what it
 //! always refuses, with the same message. What a constructor prepares is not written. `defmt` logs
-//! the form.
-//! A value whose fields are its form has both derived where it is defined.
+//! the form. A value whose fields are its form has both derived where it is defined.
 //!
 //! [`Stored`](crate::sequence::Stored) has no form: it borrows its points, and the slice can be
 //! written.
@@ -29,7 +28,7 @@ macro_rules! forms {
     ($([$($generics:tt)*] $name:ident: $type:ty $(, where [$($bounds:tt)*])?
         {$($field:ident: $kind:ty = $get:expr),*} => $make:expr;)*) => {$(
         const _: () = {
-            #[allow(non_camel_case_types)]
+            #[allow(non_camel_case_types, reason = "a type parameter has the name of its field")]
             mod form {
                 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
                 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -40,7 +39,7 @@ macro_rules! forms {
             }
 
             #[cfg(feature = "serde")]
-            #[allow(trivial_bounds)]
+            #[allow(trivial_bounds, reason = "a field of a type without parameters bounds none")]
             impl<$($generics)*> serde::Serialize for $type
             where
                 $($kind: serde::Serialize),*
@@ -66,7 +65,7 @@ macro_rules! forms {
             }
 
             #[cfg(feature = "defmt")]
-            #[allow(trivial_bounds)]
+            #[allow(trivial_bounds, reason = "a field of a type without parameters bounds none")]
             impl<$($generics)*> defmt::Format for $type
             where
                 $($kind: defmt::Format),*

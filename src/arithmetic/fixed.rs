@@ -210,6 +210,34 @@ impl FromStr for FixedExponent {
     }
 }
 
+/// What the scripts of `tests/derive` wrote for the tables and constants.
+#[cfg(test)]
+pub(super) mod derived {
+    use std::vec::Vec;
+
+    pub(in crate::arithmetic) const Q15_TABLES: &str =
+        include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/q15.txt"));
+    pub(in crate::arithmetic) const FIXED_TABLES: &str =
+        include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/fixed.txt"));
+
+    /// The values of a table: a line of its file, the name and numbers in hex.
+    fn committed(file: &str, name: &str) -> Vec<u64> {
+        let line = file.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(' '));
+        let words = line.unwrap_or_else(|| panic!("{name}")).split(' ');
+        words.map(|word| u64::from_str_radix(word, 16).unwrap()).collect()
+    }
+
+    /// A table of the crate is that of the script.
+    pub(in crate::arithmetic) fn assert_derived<T: Copy + Into<u64>>(
+        file: &str,
+        name: &str,
+        table: &[T],
+    ) {
+        let table: Vec<u64> = table.iter().map(|&value| value.into()).collect();
+        assert_eq!(table, committed(file, name), "{name}");
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

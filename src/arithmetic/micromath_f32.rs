@@ -37,8 +37,8 @@
 //! artanh s = 2 (s + s^3 / 3 + s^5 / 5 + s^7 / 7), which keeps its digits at s = 0; for m in [1/2,
 //! sqrt 2] the rest is below 2 s^9 / 9. **exp**: e^x = 2^k e^f with |f| <= ln(2) / 2, and e^f - 1
 //! by its series to f^5. **atan**: one of Newton's steps from the seed, a + tan(b - a) = a + (t cos
-//! a - sin a) / (cos a + t sin a), with the same sine and cosine, so that it inverts those and not
-//! the exact ones.
+//! a - sin a) / (cos a + t sin a). The sine and cosine are those of the maps, so it inverts them and
+//! not the exact ones.
 
 use super::Float;
 use core::f32::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};

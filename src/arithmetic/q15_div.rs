@@ -5,7 +5,7 @@
 
 use super::fixed::Q15;
 use super::q15::arithmetic_on_q15;
-use super::q15::disc::{Q15Disc, odd_magnitude};
+use super::q15::disc::{Q15Disc, concentric_by};
 
 /// The arithmetic of [`Q15`] with a concentric kernel for cores that divide: no table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,16 +28,8 @@ impl Q15Div {
     }
 
     #[inline(always)]
-    const fn disc([u, v]: [u32; 2]) -> Q15Disc {
-        let ((u, u_positive), (v, v_positive)) = (odd_magnitude(u), odd_magnitude(v));
-        let positive = [u_positive, v_positive];
-        if v > u {
-            let (y, x) = rotate(v, u);
-            Q15Disc { magnitude: [x, y], positive, r2: v * v }
-        } else {
-            let (x, y) = rotate(u, v);
-            Q15Disc { magnitude: [x, y], positive, r2: u * u }
-        }
+    const fn disc(uv: [u32; 2]) -> Q15Disc {
+        concentric_by!(rotate, uv)
     }
 }
 

@@ -48,6 +48,24 @@ impl Grid {
     }
 }
 
+/// The getters of a sequence whose field `grid` is its grid.
+macro_rules! grid_getters {
+    () => {
+        /// Columns of the grid.
+        #[must_use]
+        pub const fn columns(&self) -> u32 {
+            self.grid.columns()
+        }
+
+        /// Rows of the grid.
+        #[must_use]
+        pub const fn rows(&self) -> u32 {
+            self.grid.rows()
+        }
+    };
+}
+pub(crate) use grid_getters;
+
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;

@@ -44,9 +44,8 @@ fixed!(Q15, Q31);
 /// Whether x^2 + y^2 <= 1 in exact arithmetic; false for infinities and NaN.
 ///
 /// With a >= b the magnitudes: below a = 0.7 the sum is at most 0.98. Above it a is a multiple A of
-/// 2^-53, so 1 - a^2 is the integer W = 2^106 - A^2 in units of 2^-106, and b = m 2^-s with an
-/// integer m of 53 bits, so b^2 <= 1 - a^2 is m^2 <= W 2^(2s - 106): a comparison of integers of
-/// 128 bits.
+/// 2^-53, so 1 - a^2 is the integer W = 2^106 - A^2 in units of 2^-106. b is m 2^-s with an integer
+/// m of 53 bits. So b^2 <= 1 - a^2 is m^2 <= W 2^(2s - 106): a comparison of integers of 128 bits.
 ///
 /// ```
 /// use hemidisc::invariant::in_unit_disc;

@@ -20,8 +20,7 @@ use crate::arithmetic::{Arithmetic, Back, KernelOf, Root};
 ///
 /// A lobe of your own is a [`Map`](crate::Map) over any disc map: it takes r^2 and 1 - r^2 from
 /// [`disc_point`](Self::disc_point), forms the angle to the axis, and places x and y with
-/// [`DiscPoint::at`]. `examples/lobe` of the repository has Beckmann's
-/// distribution.
+/// [`DiscPoint::at`]. `examples/lobe` of the repository has Beckmann's distribution.
 pub trait DiscMap:
     Invert<Point = [<Self::Arithmetic as Arithmetic>::Real; 2]> + KernelOf<Self::Arithmetic> + Sealed
 {

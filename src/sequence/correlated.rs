@@ -7,7 +7,7 @@
 
 use super::Sequence;
 use super::walk::{block_in_order, indices, is_inside};
-use crate::bits::grid::Grid;
+use crate::bits::grid::{Grid, grid_getters};
 use crate::bits::modulo::repeat;
 use crate::bits::{
     hash::{Jitter, key},
@@ -62,17 +62,7 @@ impl Correlated {
         }
     }
 
-    /// Columns of the grid.
-    #[must_use]
-    pub const fn columns(&self) -> u32 {
-        self.grid.columns()
-    }
-
-    /// Rows of the grid.
-    #[must_use]
-    pub const fn rows(&self) -> u32 {
-        self.grid.rows()
-    }
+    grid_getters!();
 
     #[cfg(any(feature = "serde", feature = "defmt"))]
     pub(crate) const fn seed(&self) -> u32 {

@@ -3,7 +3,7 @@
 
 use super::Sequence;
 use super::walk::{Walk, block_in_order, walks};
-use crate::bits::grid::Grid;
+use crate::bits::grid::{Grid, grid_getters};
 use crate::bits::modulo::repeat;
 use crate::bits::{hash::Jitter, strata::Strata};
 use crate::block::Block;
@@ -47,17 +47,7 @@ impl Jittered {
         }
     }
 
-    /// Columns of the grid.
-    #[must_use]
-    pub const fn columns(&self) -> u32 {
-        self.grid.columns()
-    }
-
-    /// Rows of the grid.
-    #[must_use]
-    pub const fn rows(&self) -> u32 {
-        self.grid.rows()
-    }
+    grid_getters!();
 
     #[cfg(any(feature = "serde", feature = "defmt"))]
     pub(crate) const fn seed(&self) -> u32 {

@@ -5,7 +5,7 @@
 
 use super::Sequence;
 use super::walk::{Walk, block_in_order, walks};
-use crate::bits::grid::Grid;
+use crate::bits::grid::{Grid, grid_getters};
 use crate::bits::modulo::repeat;
 use crate::bits::strata::Strata;
 use crate::block::Block;
@@ -43,17 +43,7 @@ impl Regular {
         }
     }
 
-    /// Columns of the grid.
-    #[must_use]
-    pub const fn columns(&self) -> u32 {
-        self.grid.columns()
-    }
-
-    /// Rows of the grid.
-    #[must_use]
-    pub const fn rows(&self) -> u32 {
-        self.grid.rows()
-    }
+    grid_getters!();
 
     /// The point of any index; the set repeats after m n points.
     #[must_use]

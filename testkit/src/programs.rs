@@ -29,3 +29,13 @@ pub fn program(name: &str) -> PathBuf {
     }
     profile.join("examples").join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
 }
+
+/// A map as the programs' arguments name it, after `--map`: the kind is `disc` or a lobe, as
+/// [`EachMap`](crate::errors::EachMap) has it. The power lobe alone takes the exponent.
+pub fn map_arguments(kind: &str, disc: &str, exponent: &str) -> String {
+    match kind {
+        "disc" => format!("disc-{disc}"),
+        "power" => format!("hemisphere-power --disc {disc} --exponent {exponent}"),
+        lobe => format!("hemisphere-{lobe} --disc {disc}"),
+    }
+}

@@ -2,8 +2,10 @@
 
 use super::{hard_pairs, hex, hexes, pair, points, points_of, same, square};
 use hemidisc::Invert;
-use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, MapVisitor, SEQUENCES, maps, power_maps};
+use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, SEQUENCES};
 use testkit::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic};
+use testkit::errors::{EachMap, each_map, each_power_map};
+use testkit::programs::map_arguments;
 
 /// The maps of the command line with what they need; those that keep every point.
 const MAPS: [&str; 10] = [
@@ -19,10 +21,12 @@ const MAPS: [&str; 10] = [
     "hemisphere-power --exponent 1e8",
 ];
 
+/// Of the power lobe, as an argument.
+const EXPONENT: &str = "2.5";
+
 /// Compares every map of the catalogue with the rows that the program prints.
 struct SameBits {
     pairs: Vec<[u32; 2]>,
-    power: &'static str,
     maps: usize,
 }
 
@@ -58,30 +62,26 @@ impl SameBits {
     }
 }
 
-impl<A: Tested> MapVisitor<A> for SameBits {
-    fn disc<M: Invert<Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
-        self.check::<A, _>(&format!("disc-{name}"), map);
-    }
-
-    fn hemisphere<M: Invert<Point = [A::Real; 3]>>(
+impl<A: Tested> EachMap<A> for SameBits {
+    fn each<const D: usize, M: Invert<Point = [A::Real; D]>>(
         &mut self,
-        name: &'static str,
+        kind: &'static str,
         disc: &'static str,
         map: M,
     ) {
-        let power = if name == "power" { self.power } else { "" };
-        self.check::<A, _>(&format!("hemisphere-{name} --disc {disc}{power}"), map);
-        if disc == "concentric" {
+        let name = map_arguments(kind, disc, EXPONENT);
+        self.check::<A, _>(&name, map);
+        if kind != "disc" && disc == "concentric" {
             // The default.
-            self.check::<A, _>(&format!("hemisphere-{name}{power}"), map);
+            self.check::<A, _>(&name.replace(" --disc concentric", ""), map);
         }
     }
 }
 
 fn prints_the_bits_of_the_crate<A: Tested>() {
-    let mut check = SameBits { pairs: hard_pairs(), power: " --exponent 2.5", maps: 0 };
-    maps::<A>(&mut check);
-    power_maps::<A>(A::Parameter::exactly(2.5).unwrap(), &mut check).unwrap();
+    let mut check = SameBits { pairs: hard_pairs(), maps: 0 };
+    each_map::<A>(&mut check);
+    each_power_map::<A>(A::Parameter::exactly(EXPONENT.parse().unwrap()).unwrap(), &mut check);
     assert_eq!(check.maps, 11);
 }
 

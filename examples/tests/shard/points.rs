@@ -1,10 +1,12 @@
 //! Points: the bytes of shards are those of the library's own loop.
 
 use super::{folder, holds, made, parts};
-use hemidisc::catalogue::{MapVisitor, SequenceVisitor, maps, power_maps, sequences};
+use hemidisc::catalogue::{SequenceVisitor, sequences};
 use hemidisc::sequence::{Sequence, SobolOwen};
 use hemidisc::{Concentric, FastF32, Invert, Map, Points};
 use testkit::arithmetics::{Exponent, Number, Tested};
+use testkit::errors::{EachMap, each_map, each_power_map};
+use testkit::programs::map_arguments;
 
 /// A component's bits from their text, little-endian.
 fn bytes_of<N: Number>(number: N) -> Vec<u8> {
@@ -70,51 +72,36 @@ fn processes_are_the_whole() {
     }
 }
 
-/// Compares every map of an arithmetic with its shards.
-struct EachMap {
-    power: &'static str,
-    maps: usize,
-}
+/// Of the power lobe, as an argument.
+const EXPONENT: &str = "2.5";
 
-impl EachMap {
-    fn check<A: Tested, const D: usize>(
+/// Compares every map of an arithmetic with its shards, and counts them.
+struct Shards(usize);
+
+impl<A: Tested> EachMap<A> for Shards {
+    fn each<const D: usize, M: Invert<Point = [A::Real; D]>>(
         &mut self,
-        name: &str,
-        map: impl Map<Point = [A::Real; D]>,
+        kind: &'static str,
+        disc: &'static str,
+        map: M,
     ) {
         let folder = folder();
         let expected = plain(SobolOwen::new(3), map, 70);
         let arguments = format!(
-            "points --sequence sobol-owen --seed 3 --count 70 --map {name} --arithmetic {} \
-             --shards 3",
+            "points --sequence sobol-owen --seed 3 --count 70 --map {} --arithmetic {} --shards 3",
+            map_arguments(kind, disc, EXPONENT),
             A::NAME
         );
         assert!(made(folder.path(), &arguments) == expected, "{arguments}");
-        self.maps += 1;
-    }
-}
-
-impl<A: Tested> MapVisitor<A> for EachMap {
-    fn disc<M: Invert<Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
-        self.check::<A, _>(&format!("disc-{name}"), map);
-    }
-
-    fn hemisphere<M: Invert<Point = [A::Real; 3]>>(
-        &mut self,
-        name: &'static str,
-        disc: &'static str,
-        map: M,
-    ) {
-        self.check::<A, _>(&format!("hemisphere-{name} --disc {disc}{}", self.power), map);
+        self.0 += 1;
     }
 }
 
 fn shards_of_every_map_are_the_whole<A: Tested>() {
-    let mut check = EachMap { power: "", maps: 0 };
-    maps::<A>(&mut check);
-    check.power = " --exponent 2.5";
-    power_maps::<A>(A::Parameter::exactly(2.5).unwrap(), &mut check).unwrap();
-    assert_eq!(check.maps, 8);
+    let mut shards = Shards(0);
+    each_map::<A>(&mut shards);
+    each_power_map::<A>(A::Parameter::exactly(EXPONENT.parse().unwrap()).unwrap(), &mut shards);
+    assert_eq!(shards.0, 8);
 }
 
 testkit::test_each_arithmetic!(shards_of_every_map_are_the_whole);

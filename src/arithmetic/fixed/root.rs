@@ -102,13 +102,11 @@ const fn shifted(n: u64) -> (u64, u32) {
 #[cfg(test)]
 mod tests {
     use super::{SEEDS, root_by};
-
-    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/committed.rs"));
-    const FILE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/fixed.txt"));
+    use crate::arithmetic::fixed::derived::{FIXED_TABLES, assert_derived};
 
     #[test]
     fn seeds_are_those_of_the_script() {
-        assert_derived(FILE, "SEEDS", &SEEDS);
+        assert_derived(FIXED_TABLES, "SEEDS", &SEEDS);
     }
 
     /// By either kind of product.

@@ -1,11 +1,11 @@
 //! The rotation of a vector of the first octant to its angle, by a table and a small rotation.
 //!
-//! With a vector (m, n), 0 <= n <= m, t = n/m is near a t_j = j / 128, and the concentric map's
-//! angle is pi/4 t = pi/4 t_j + delta, where delta = pi/4 (n - m t_j) / m. The difference is formed
-//! without a division and without rounding, so q = m sin delta = pi/4 (n - m t_j) (1 - delta^2 / 6)
-//! and p = m cos delta = m - m delta^2 / 2 are as exact as the words allow. Only the small second
-//! terms need the quotient, to 16 bits. Taking m for a coordinate's m + 1/2 costs half an LSB,
-//! inward, and saves a bit.
+//! The concentric map's angle of a vector (m, n), 0 <= n <= m, is pi/4 t with t = n/m. A t_j =
+//! j / 128 is near t, and the angle is pi/4 t_j + delta, with delta = pi/4 (n - m t_j) / m. The
+//! difference n - m t_j is formed without a division and without rounding. So q = m sin delta =
+//! pi/4 (n - m t_j) (1 - delta^2 / 6) and p = m cos delta = m - m delta^2 / 2 are as exact as the
+//! words allow. Only the small second terms need the quotient, to 16 bits. Taking m for a
+//! coordinate's m + 1/2 costs half an LSB, inward, and saves a bit.
 //!
 //! The vector (p, q) is rotated to t_j in three shears, y' = q + p T, x = p - y' S, y = y' + x T,
 //! with S the sine and T the tangent of half the angle: three products instead of four.
@@ -244,21 +244,19 @@ pub(in crate::arithmetic) fn fraction(a: u32, b: u32) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arithmetic::fixed::derived::{FIXED_TABLES, assert_derived};
     use crate::bits::hash::mix;
-
-    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/committed.rs"));
-    const FILE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/fixed.txt"));
 
     #[test]
     fn tables_are_those_of_the_script() {
-        assert_derived(FILE, "QUARTER_PI", &[QUARTER_PI]);
-        assert_derived(FILE, "FOUR_OVER_PI", &[FOUR_OVER_PI as u64]);
-        assert_derived(FILE, "ARC", &[ARC]);
-        assert_derived(FILE, "NEAREST_PART", &[NEAREST_PART]);
-        assert_derived(FILE, "INWARD", &[INWARD]);
-        assert_derived(FILE, "TANGENTS", &TANGENTS);
-        assert_derived(FILE, "SINES", &SINES);
-        assert_derived(FILE, "RECIPROCALS", &RECIPROCALS);
+        assert_derived(FIXED_TABLES, "QUARTER_PI", &[QUARTER_PI]);
+        assert_derived(FIXED_TABLES, "FOUR_OVER_PI", &[FOUR_OVER_PI as u64]);
+        assert_derived(FIXED_TABLES, "ARC", &[ARC]);
+        assert_derived(FIXED_TABLES, "NEAREST_PART", &[NEAREST_PART]);
+        assert_derived(FIXED_TABLES, "INWARD", &[INWARD]);
+        assert_derived(FIXED_TABLES, "TANGENTS", &TANGENTS);
+        assert_derived(FIXED_TABLES, "SINES", &SINES);
+        assert_derived(FIXED_TABLES, "RECIPROCALS", &RECIPROCALS);
     }
 
     /// The reciprocal depends on the upper 20 bits alone: for the least and the largest `m` of

@@ -207,16 +207,14 @@ pub(in crate::arithmetic) const fn fall(x: Scaled, exp: u64) -> Scaled {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/committed.rs"));
-    const FILE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/derive/fixed.txt"));
+    use crate::arithmetic::fixed::derived::{FIXED_TABLES, assert_derived};
 
     #[test]
     fn tables_are_those_of_the_script() {
-        assert_derived(FILE, "LN_2", &[LN_2]);
-        assert_derived(FILE, "LOG2_E", &[LOG2_E]);
-        assert_derived(FILE, "FACTORS", &core::array::from_fn::<_, 64, _>(factor));
-        assert_derived(FILE, "LOGARITHMS", &LOGARITHMS);
-        assert_derived(FILE, "POWERS", &POWERS);
+        assert_derived(FIXED_TABLES, "LN_2", &[LN_2]);
+        assert_derived(FIXED_TABLES, "LOG2_E", &[LOG2_E]);
+        assert_derived(FIXED_TABLES, "FACTORS", &core::array::from_fn::<_, 64, _>(factor));
+        assert_derived(FIXED_TABLES, "LOGARITHMS", &LOGARITHMS);
+        assert_derived(FIXED_TABLES, "POWERS", &POWERS);
     }
 }

@@ -4,9 +4,9 @@
 //! a < 2^16.
 //!
 //! **Concentric.** With a the larger magnitude, b the smaller and t = b/a, cos(pi/4 t) is a line in
-//! t on each of 62 buckets, within 0.7 LSB, and so x = a (A - B t) = a A - b B: no quotient is
-//! needed, only the bucket of t, and a neighbouring bucket's line does little harm. A table of 256
-//! reciprocals finds it.
+//! t on each of 62 buckets, within 0.8 LSB. So x = a (A - B t) = a A - b B, without a quotient:
+//! only the bucket of t is needed. A neighbouring bucket's line does little harm. A table of 256
+//! reciprocals finds the bucket.
 //!
 //! **Polar.** The angle within the octant is exact, and so is its bucket; r is a root from a table.
 
@@ -50,17 +50,28 @@ pub(in crate::arithmetic) const fn odd_magnitude(k: u32) -> (u32, i32) {
     (0xffff - 2 * (j ^ positive).cast_unsigned(), positive)
 }
 
+/// The concentric map of a pair of coordinates, by a function that rotates the larger magnitude by
+/// the angle of the smaller. A macro, because a `const` function cannot call one that it is given.
+macro_rules! concentric_by {
+    ($rotate:ident, $uv:ident) => {{
+        use $crate::arithmetic::q15::disc::{Q15Disc, odd_magnitude};
+        let [u, v] = $uv;
+        let ((u, u_positive), (v, v_positive)) = (odd_magnitude(u), odd_magnitude(v));
+        let positive = [u_positive, v_positive];
+        if v > u {
+            let (y, x) = $rotate(v, u);
+            Q15Disc { magnitude: [x, y], positive, r2: v * v }
+        } else {
+            let (x, y) = $rotate(u, v);
+            Q15Disc { magnitude: [x, y], positive, r2: u * u }
+        }
+    }};
+}
+pub(in crate::arithmetic) use concentric_by;
+
 #[inline(always)]
-pub(super) const fn concentric([u, v]: [u32; 2]) -> Q15Disc {
-    let ((u, u_positive), (v, v_positive)) = (odd_magnitude(u), odd_magnitude(v));
-    let positive = [u_positive, v_positive];
-    if v > u {
-        let (y, x) = rotate(v, u);
-        Q15Disc { magnitude: [x, y], positive, r2: v * v }
-    } else {
-        let (x, y) = rotate(u, v);
-        Q15Disc { magnitude: [x, y], positive, r2: u * u }
-    }
+pub(super) const fn concentric(uv: [u32; 2]) -> Q15Disc {
+    concentric_by!(rotate, uv)
 }
 
 /// The bucket of b/a by a crude quotient; none for an `a` whose top 4 bits are 0.
