@@ -9,7 +9,7 @@ use crate::catalogue::Parameters;
 use crate::domain::{Split, Stream};
 use crate::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
 use crate::error::{Axis, Error};
-use crate::frame::{About, Frame};
+use crate::frame::{About, Frame, Unit};
 use crate::map::{Concentric, Cosine, Map, Polar, Power, Uniform, UnitSquare};
 use crate::points::Points;
 use crate::sequence::{Sequence, Shuffled};
@@ -166,6 +166,8 @@ fn unit_vector<R: Real>((projected, flipped): ([R; 2], bool)) -> [R; 3] {
 }
 
 made_of! {
+    [R: Real + Arbitrary<'a>]
+    Unit<R>: ([R; 2], bool) => |parts| Self::new(unit_vector(parts));
     [R: Real + Arbitrary<'a>]
     Frame<R>: ([R; 2], bool) => |parts| Self::new(unit_vector(parts));
     [A: Root<Real: Arbitrary<'a>>]

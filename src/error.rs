@@ -106,10 +106,15 @@ pub enum Error {
         /// What was given; NaN for a text that is not a number.
         value: f64,
     },
-    /// A vector that is not of unit length.
+    /// A vector that is not near unit length.
     NotUnit {
         /// The square of its length.
         length_squared: f64,
+    },
+    /// A tangent along the normal, or along its opposite.
+    Parallel {
+        /// The cosine of the angle between the two.
+        cosine: f64,
     },
     /// A vector without a direction: zero, infinite or not a number.
     NoDirection,
@@ -176,9 +181,12 @@ impl fmt::Display for Error {
             Self::FixedExponent { value } => {
                 write!(f, "exponent is {value}; accepted in fixed point: 0 <= e < 4294967296")
             }
-            Self::NotUnit { length_squared } => write!(
+            Self::NotUnit { length_squared } => {
+                write!(f, "a vector with length squared {length_squared}; accepted: 1 within 1/128")
+            }
+            Self::Parallel { cosine } => write!(
                 f,
-                "a vector with length squared {length_squared}; accepted: 1 within 16 ulp"
+                "a tangent with the cosine {cosine} to the normal; accepted: any direction but the normal's and its opposite"
             ),
             Self::NoDirection => f.write_str(
                 "a vector that is zero, infinite or not a number; accepted: finite, not zero",

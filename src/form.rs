@@ -11,7 +11,7 @@ use crate::Domain;
 use crate::arithmetic::{Arithmetic, Real};
 use crate::domain::Stream;
 use crate::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
-use crate::frame::{About, Frame};
+use crate::frame::{About, Frame, Unit};
 use crate::map::disc::DiscMap;
 use crate::map::hemisphere::{CosineLobe, Hemisphere, PowerLobe, UniformLobe};
 use crate::map::{Concentric, Map, Polar, UnitSquare};
@@ -118,8 +118,13 @@ forms! {
     [A: Arithmetic, D: DiscMap<Arithmetic = A>] Power: Hemisphere<PowerLobe<A>, D>
         { exponent: A::Parameter = Self::exponent, disc: D = |map| *map.disc() }
         => Self::over(exponent, disc);
-    [R: Real] Frame: Frame<R> { z: [R; 3] = |frame| frame.axes()[2] }
-        => Self::new(z);
+    [R: Real] Unit: Unit<R> { vector: [R; 3] = |unit| unit.get() } => Self::new(vector);
+    [R: Real] Frame: Frame<R>
+        { z: [R; 3] = |frame| frame.unit().get(), tangent: Option<[R; 3]> = Self::tangent }
+        => match tangent {
+            None => Self::new(z),
+            Some(tangent) => Unit::new(z).and_then(|z| Self::with_tangent(z, tangent)),
+        };
     [M: Copy, R: Copy] About: About<M, R>
         { map: M = |about| *about.map(), frame: Frame<R> = |about| *about.frame() }
         => Ok(Self::new(map, frame));

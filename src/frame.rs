@@ -1,15 +1,25 @@
 //! Frames: an orthonormal basis about a direction, and directions in world space.
 //!
 //! T. Duff, J. Burgess, P. Christensen, C. Hery, A. Kensler, M. Liani and R. Villemin, "Building an
-//! Orthonormal Basis, Revisited", JCGT 6(1), 2017: no branch, no square root, and exact near
-//! n_z = -1, where Frisvad's form divides by 0.
+//! Orthonormal Basis, Revisited", JCGT 6(1), 2017: no square root, and exact near n_z = -1, where
+//! Frisvad's form divides by 0.
 
-use crate::arithmetic::{Real, Root};
+mod unit;
+
+pub use unit::Unit;
+
+use crate::arithmetic::Real;
 use crate::block::{BLOCK, Block, Lanes};
 use crate::error::Error;
 use crate::map::{Density, Invert, Map};
 
 /// A right-handed orthonormal basis whose third axis is a given unit vector.
+///
+/// The first two axes are a continuous function of a normal above the plane n_z = 0, and of one
+/// below it. Between neighbouring normals on either side of that plane they turn about the normal,
+/// by up to half a turn: no frame is a continuous function of all normals. Nothing that is symmetric
+/// about the normal depends on it. For sets of points that must not jump, as of textures or brushed
+/// metal, [`with_tangent`](Self::with_tangent) takes the first axis from the surface.
 ///
 /// ```
 /// use hemidisc::{Cosine, Frame, LibmF32, Map};
@@ -24,84 +34,120 @@ use crate::map::{Density, Invert, Map};
 pub struct Frame<R> {
     x: [R; 3],
     y: [R; 3],
-    z: [R; 3],
+    z: Unit<R>,
 }
 
-impl<R: Real> Frame<R> {
-    /// The frame about a unit vector.
-    ///
-    /// # Errors
-    /// [`Error::NotUnit`] for a vector whose length squared is not within 16 ulp of 1, for then the
-    /// basis is not orthonormal. [`normalized`](Self::normalized) takes a vector of any length.
+impl<R: Copy> Frame<R> {
+    /// The unit vector that the frame is about: its third axis.
+    #[must_use]
     #[inline]
-    pub fn new(z: [R; 3]) -> Result<Self, Error> {
-        let length_squared = dot(z, z);
-        let tolerance = R::EPSILON * R::FOUR * R::FOUR;
-        if (length_squared - R::ONE).magnitude() <= tolerance {
-            Ok(Self::about(z))
-        } else {
-            Err(Error::NotUnit { length_squared: length_squared.into() })
-        }
-    }
-
-    /// The frame about the direction of a vector of any length.
-    ///
-    /// # Errors
-    /// [`Error::NoDirection`] for a vector that is zero, infinite or not a number.
-    #[inline]
-    pub fn normalized<A: Root<Real = R>>(vector: [R; 3]) -> Result<Self, Error> {
-        // Scaled by the largest component first, or the squares may leave the range.
-        let [x, y, z] = vector.map(R::magnitude);
-        let larger = if x > y { x } else { y };
-        let largest = if larger > z { larger } else { z };
-        if !vector.into_iter().all(R::finite) || largest == R::ZERO {
-            return Err(Error::NoDirection);
-        }
-        // Dividing twice keeps a subnormal length from an infinite reciprocal.
-        let scaled = vector.map(|component| component / largest);
-        let length = A::sqrt(dot(scaled, scaled));
-        Ok(Self::about(scaled.map(|component| component / length)))
-    }
-
-    /// Of a vector that is known to be of unit length.
-    #[inline]
-    pub(crate) fn about(z: [R; 3]) -> Self {
-        let [n_x, n_y, n_z] = z;
-        let sign = R::ONE.with_sign(n_z);
-        let a = -R::ONE / (sign + n_z);
-        let b = n_x * n_y * a;
-        Self {
-            x: [R::ONE + sign * (n_x * n_x * a), sign * b, -(sign * n_x)],
-            y: [b, sign + n_y * n_y * a, -n_y],
-            z,
-        }
+    pub const fn unit(&self) -> Unit<R> {
+        self.z
     }
 
     /// The three axes; the third is the vector that the frame was built about.
     #[must_use]
     #[inline]
     pub const fn axes(&self) -> [[R; 3]; 3] {
-        [self.x, self.y, self.z]
+        [self.x, self.y, self.z.get()]
+    }
+}
+
+impl<R: Real> Frame<R> {
+    /// The frame about a vector that is near unit length, as [`Unit::new`] takes it.
+    ///
+    /// # Errors
+    /// [`Error::NotUnit`] for a vector whose length squared is not within 1/128 of 1.
+    /// [`normalized`](Self::normalized) takes a vector of any length.
+    #[inline]
+    pub fn new(z: [R; 3]) -> Result<Self, Error> {
+        Unit::new(z).map(Self::from)
+    }
+
+    /// The frame about the direction of a vector of any length, as [`Unit::normalized`] takes it.
+    ///
+    /// # Errors
+    /// [`Error::NoDirection`] for a vector that is zero, infinite or not a number.
+    #[inline]
+    pub fn normalized(vector: [R; 3]) -> Result<Self, Error> {
+        Unit::normalized(vector).map(Self::from)
+    }
+
+    /// The frame about a normal whose first axis is a tangent, of any length, made orthogonal to the
+    /// normal. It is a continuous function of both. The second axis is normal x first axis.
+    ///
+    /// ```
+    /// use hemidisc::{Error, Frame, Unit};
+    /// let up = Unit::new([0.0, 0.0, 1.0])?;
+    /// let frame = Frame::with_tangent(up, [0.0, 3.0, 4.0])?;
+    /// assert_eq!(frame.axes(), [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+    /// assert_eq!(Frame::with_tangent(up, [0.0, 0.0, 2.0]), Err(Error::Parallel { cosine: 1.0 }));
+    /// # Ok::<(), hemidisc::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NoDirection`] for a tangent that is zero, infinite or not a number, and
+    /// [`Error::Parallel`] for one within 16 ulp of 1 of the normal or its opposite.
+    pub fn with_tangent(normal: Unit<R>, tangent: [R; 3]) -> Result<Self, Error> {
+        let z = normal.get();
+        let mut x = Unit::normalized(tangent)?.get();
+        let cosine = R::dot(x, z);
+        // A first axis keeps its bits.
+        if cosine.magnitude() > R::EPSILON * R::TWO {
+            let across = rejected(x, z);
+            let room = R::EPSILON * R::FOUR * R::FOUR;
+            if R::dot(across, across) <= room * room {
+                return Err(Error::Parallel { cosine: cosine.into() });
+            }
+            // Twice is enough: what rounding has left along the normal is small beside the first
+            // rest, but may not be beside 1 (B. Parlett, "The Symmetric Eigenvalue Problem", 1980).
+            x = Unit::normalized(across)?.get();
+            x = Unit::normalized(rejected(x, z))?.get();
+        }
+        // A frame is a function of its third and first axis.
+        let plain = Self::from(normal);
+        if x == plain.x { Ok(plain) } else { Ok(Self { x, y: cross(z, x), z: normal }) }
+    }
+
+    /// The first axis, unless it is that of the frame about the third axis alone.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(crate) fn tangent(&self) -> Option<[R; 3]> {
+        (*self != Self::from(self.z)).then_some(self.x)
     }
 
     /// A vector from the frame's coordinates to the world's.
     #[must_use]
     #[inline]
     pub fn to_world(&self, [x, y, z]: [R; 3]) -> [R; 3] {
-        core::array::from_fn(|i| x * self.x[i] + y * self.y[i] + z * self.z[i])
+        let [a, b, c] = self.axes();
+        core::array::from_fn(|i| x * a[i] + y * b[i] + z * c[i])
     }
 
     /// A vector from the world's coordinates to the frame's.
     #[must_use]
     #[inline]
     pub fn to_local(&self, world: [R; 3]) -> [R; 3] {
-        [dot(self.x, world), dot(self.y, world), dot(self.z, world)]
+        self.axes().map(|axis| R::dot(axis, world))
     }
 }
 
-#[inline]
-pub(crate) fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+impl<R: Real> From<Unit<R>> for Frame<R> {
+    /// The frame about a unit vector.
+    #[inline]
+    fn from(z: Unit<R>) -> Self {
+        let [x, y] = R::basis(z.get());
+        Self { x, y, z }
+    }
+}
+
+/// What is left of a vector across a unit vector.
+fn rejected<R: Real>(vector: [R; 3], axis: [R; 3]) -> [R; 3] {
+    let along = R::dot(vector, axis);
+    core::array::from_fn(|i| vector[i] - along * axis[i])
+}
+
+fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// A map of directions, turned about the third axis of a frame: world-space sampling about a

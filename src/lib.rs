@@ -51,7 +51,7 @@ for_each_arithmetic!(arithmetics);
 pub use coordinates::Coordinates;
 pub use domain::Domain;
 pub use error::{Axis, Error};
-pub use frame::Frame;
+pub use frame::{Frame, Unit};
 pub use map::{
     Concentric, Cosine, Density, Invert, Map, Polar, Power, Uniform, UnitSquare, disc, hemisphere,
 };

@@ -1,6 +1,8 @@
 //! f32 and f64 as the kernels see them: constants, conversions from integers, and exact tests.
 
+use super::{length, vector};
 use crate::coordinates::{centre_f32, centre_f64};
+use crate::error::Error;
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use core::str::FromStr;
@@ -75,6 +77,18 @@ pub trait RealKernel: Copy + sealed::Sealed {
     fn below(self) -> Self;
     /// Whether a^2 + b^2 > 1, without false negatives; 1/2 <= a <= 2, 0 <= b <= a.
     fn outside(a: Self, b: Self) -> bool;
+    /// The nearest number.
+    fn nearest(x: f64) -> Self;
+
+    // The functions of `vector` and `length`, which are `const` on a type that is known.
+    fn dot(a: [Self; 3], b: [Self; 3]) -> Self;
+    fn unit(vector: [Self; 3]) -> Result<[Self; 3], Error>;
+    fn normalized(vector: [Self; 3]) -> Result<[Self; 3], Error>;
+    fn basis(z: [Self; 3]) -> [[Self; 3]; 2];
+    fn checked_distance(distance: Self) -> Result<Self, Error>;
+    fn nearness(radius: Self, focal_distance: Self) -> Result<Self, Error>;
+    fn checked_centre(centre: [Self; 3], radius: Self) -> Result<[Self; 3], Error>;
+    fn size(point: [Self; 3], normal: [Self; 3]) -> Self;
 }
 
 mod sealed {
@@ -158,6 +172,40 @@ macro_rules! real {
                 let b = floor + $integer::from((floor as $float) < scaled);
                 let room = ((ONE - a) * (ONE + a)) << (2 * ($fine - $bits));
                 b.checked_mul(b).is_none_or(|square| square > room)
+            }
+            #[inline(always)]
+            fn nearest(x: f64) -> Self {
+                x as $float
+            }
+
+            #[inline(always)]
+            fn dot(a: [Self; 3], b: [Self; 3]) -> Self {
+                vector::$float::dot(a, b)
+            }
+            #[inline]
+            fn unit(vector: [Self; 3]) -> Result<[Self; 3], Error> {
+                vector::$float::unit(vector)
+            }
+            #[inline]
+            fn normalized(vector: [Self; 3]) -> Result<[Self; 3], Error> {
+                vector::$float::normalized(vector)
+            }
+            #[inline(always)]
+            fn basis(z: [Self; 3]) -> [[Self; 3]; 2] {
+                vector::$float::basis(z)
+            }
+            fn checked_distance(distance: Self) -> Result<Self, Error> {
+                length::$float::distance(distance)
+            }
+            fn nearness(radius: Self, focal_distance: Self) -> Result<Self, Error> {
+                length::$float::nearness(radius, focal_distance)
+            }
+            fn checked_centre(centre: [Self; 3], radius: Self) -> Result<[Self; 3], Error> {
+                length::$float::centre(centre, radius)
+            }
+            #[inline]
+            fn size(point: [Self; 3], normal: [Self; 3]) -> Self {
+                length::$float::size(point, normal)
             }
         }
     };

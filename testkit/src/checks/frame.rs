@@ -1,5 +1,5 @@
-//! Frames: orthonormal and right-handed about any vector that has a direction, there and back, and
-//! an error for any other.
+//! Frames and unit vectors: of unit length, orthonormal and right-handed about any vector that has
+//! a direction, there and back, and an error for any other.
 
 use super::convert::assert_clear;
 use super::roots::{EachRoot, eps, every_root, nearest, wide};
@@ -8,7 +8,7 @@ use crate::orthonormal::{LARGEST, deviation, dot};
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::arithmetic::{Real, Root};
 use hemidisc::invariant::Exact;
-use hemidisc::{Cosine, Density, Error, Frame, Invert, Map};
+use hemidisc::{Cosine, Density, Error, Frame, Invert, Map, Unit};
 
 #[derive(Arbitrary, Debug)]
 struct Input {
@@ -27,51 +27,77 @@ pub fn check(data: &[u8]) -> arbitrary::Result<()> {
     Ok(())
 }
 
-/// A frame that `Arbitrary` has made is one that the constructor takes.
+/// A frame that `Arbitrary` has made is one that the constructors take.
 fn is_frame<R: Real>(frame: Frame<R>) {
-    let [_, _, z] = frame.axes();
+    let [x, _, z] = frame.axes();
     assert_eq!(Frame::new(z), Ok(frame));
+    assert_eq!(Frame::from(frame.unit()), frame);
+    assert_eq!(Frame::with_tangent(frame.unit(), x), Ok(frame));
     assert!(orthonormal(frame), "{frame:?}");
 }
 
-/// As close as the length of the third axis lets it be; the sums here round as well.
+/// How far the length squared of a unit vector is from 1.
+fn beside_1<R: Real>(vector: [R; 3]) -> f64 {
+    (dot(vector, vector) - 1.0).abs()
+}
+
+/// As close as the lengths of the first and third axis let it be; the sums here round as well.
 fn orthonormal<R: Real>(frame: Frame<R>) -> bool {
-    let [_, _, z] = frame.axes();
-    let length = (dot(z, z) - 1.0).abs();
-    deviation(frame.axes()) <= (LARGEST + 4.0) * eps::<R>() + 3.0 * length
+    let [x, _, z] = frame.axes();
+    let length = beside_1(x).max(beside_1(z));
+    // A unit vector's is within 16 ulp, and its own sum has rounded.
+    beside_1(z) <= 36.0 * eps::<R>()
+        && deviation(frame.axes()) <= (LARGEST + 4.0) * eps::<R>() + 3.0 * length
 }
 
 impl EachRoot for Input {
     fn each<A: Root<Real: Real> + Tested>(&mut self) {
         let vector = nearest::<A, 3>(self.vector);
+        let (square, room) = (dot(vector, vector), 8.0 * eps::<A::Real>());
         match Frame::new(vector) {
             Ok(frame) => {
                 assert!(orthonormal(frame), "{} {vector:?}: {frame:?}", A::NAME);
-                assert_eq!(frame.axes()[2], vector);
+                assert!((square - 1.0).abs() <= 1.0 / 128.0 + room, "{} {vector:?}", A::NAME);
+                if (square - 1.0).abs() <= 24.0 * eps::<A::Real>() {
+                    assert_eq!(frame.axes()[2], vector);
+                }
+                assert_eq!(Unit::normalized(vector), Ok(frame.unit()));
                 self.turns::<A>(frame);
             }
             Err(error @ Error::NotUnit { length_squared }) => {
                 assert_clear(&error);
                 // NaN has no direction either.
-                let near = (length_squared - 1.0).abs() <= 32.0 * eps::<A::Real>();
+                let near = (length_squared - 1.0).abs() <= 1.0 / 128.0 - room;
                 assert!(!near, "{} {vector:?}", A::NAME);
             }
             Err(other) => panic!("{other}"),
         }
+        self.of_any_length::<A>(vector);
+        // Numbers that are equal make frames that are equal.
+        let zero = A::Real::ZERO;
+        let other = vector.map(|x| if x == zero { -x } else { x });
+        assert_eq!(Frame::normalized(other), Frame::normalized(vector), "{vector:?}");
+    }
+}
+
+impl Input {
+    fn of_any_length<A: Root<Real: Real> + Tested>(&self, vector: [A::Real; 3]) {
         let exact = wide(vector);
         let has_direction = exact.into_iter().all(f64::is_finite) && exact != [0.0; 3];
-        match Frame::normalized::<A>(vector) {
+        match Frame::normalized(vector) {
             Ok(frame) => {
-                assert!(has_direction, "{} {vector:?}", A::NAME);
-                let room = LARGEST * A::DENSITY_ERROR;
-                assert!(deviation(frame.axes()) <= 2.0 * room, "{} {vector:?}: {frame:?}", A::NAME);
+                assert!(has_direction && orthonormal(frame), "{} {vector:?}: {frame:?}", A::NAME);
                 let largest = exact.into_iter().fold(0.0, |a: f64, b| a.max(b.abs()));
                 let scaled = exact.map(|x| x / largest);
                 let length = dot(scaled, scaled).sqrt();
+                // Within 2 ulp, and within 8 as the bits stay where the length is within 8.
+                let room = if beside_1(exact) <= 36.0 * eps::<A::Real>() { 20.0 } else { 4.0 };
                 for (component, exact) in wide(frame.axes()[2]).into_iter().zip(scaled) {
+                    let room = room * eps::<A::Real>();
                     assert!((component - exact / length).abs() <= room, "{} {vector:?}", A::NAME);
                 }
                 self.turns::<A>(frame);
+                self.has_a_tangent::<A>(frame.unit());
             }
             Err(error) => {
                 assert_clear(&error);
@@ -79,15 +105,38 @@ impl EachRoot for Input {
             }
         }
     }
-}
 
-impl Input {
+    /// The frame of any tangent.
+    fn has_a_tangent<A: Root<Real: Real> + Tested>(&self, normal: Unit<A::Real>) {
+        let tangent = nearest::<A, 3>(self.local);
+        let what = || format!("{} {normal:?} {tangent:?}", A::NAME);
+        match Frame::with_tangent(normal, tangent) {
+            Ok(frame) => {
+                assert!(orthonormal(frame), "{}: {frame:?}", what());
+                assert_eq!(frame.unit(), normal);
+                let [x, ..] = frame.axes();
+                let along = Unit::normalized(tangent).unwrap().get();
+                assert!(dot(x, along) > 0.0, "{}: {frame:?}", what());
+                assert_eq!(Frame::with_tangent(normal, x), Ok(frame), "{}", what());
+                self.turns::<A>(frame);
+            }
+            Err(error @ Error::Parallel { cosine }) => {
+                assert_clear(&error);
+                assert!((cosine.abs() - 1.0).abs() <= 40.0 * eps::<A::Real>(), "{}", what());
+            }
+            Err(error) => {
+                assert_eq!(error, Error::NoDirection);
+                assert!(Unit::normalized(tangent).is_err(), "{}", what());
+            }
+        }
+    }
+
     /// To the world and back, and a lobe about the frame.
     fn turns<A: Root<Real: Real> + Tested>(&self, frame: Frame<A::Real>) {
         let Input { local, uv, .. } = *self;
         let local = local.map(|x| if x.abs() <= 1.0 { x } else { 0.5 });
         let local = nearest::<A, 3>(local);
-        let room = 2.0 * LARGEST * A::DENSITY_ERROR + 64.0 * eps::<A::Real>();
+        let room = 2.0 * LARGEST * eps::<A::Real>() + 64.0 * eps::<A::Real>();
         for (a, b) in wide(local).into_iter().zip(wide(frame.to_local(frame.to_world(local)))) {
             assert!((a - b).abs() <= 3.0 * room, "{} {frame:?}: {a} became {b}", A::NAME);
         }

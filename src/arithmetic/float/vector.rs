@@ -1,0 +1,90 @@
+//! Vectors of f32 and f64: unit length, and a basis about a unit vector, as `const fn`.
+//!
+//! **Unit length** without a square root. With a length squared of 1 + d the factor is
+//! 1 / sqrt(1 + d) = 1 - d/2 + 3/8 d^2 - 5/16 d^3, which leaves at most 0.31 d^4. Two such steps
+//! are exact to f64's last digits for any d within 0.112. A vector of another length is divided by
+//! its largest component. Its length squared l is then in [1, 3], where 1.145 - 0.2 l is
+//! 1 / sqrt l within 5.7 %, so that d is within 0.112.
+//!
+//! **Basis**: T. Duff, J. Burgess, P. Christensen, C. Hery, A. Kensler, M. Liani and R. Villemin,
+//! "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+
+macro_rules! vectors {
+    ($float:ident) => {
+        pub mod $float {
+            use crate::error::Error;
+
+            #[inline(always)]
+            pub const fn dot(a: [$float; 3], b: [$float; 3]) -> $float {
+                a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+            }
+
+            #[inline(always)]
+            const fn times([x, y, z]: [$float; 3], k: $float) -> [$float; 3] {
+                [x * k, y * k, z * k]
+            }
+
+            /// A step towards unit length.
+            #[inline(always)]
+            const fn step(vector: [$float; 3]) -> [$float; 3] {
+                let d = dot(vector, vector) - 1.0;
+                times(vector, 1.0 - d * (0.5 - d * (0.375 - d * 0.3125)))
+            }
+
+            /// A vector with length squared 1 + d, |d| <= 1/128: as it is within 16 ulp.
+            #[inline(always)]
+            const fn corrected(vector: [$float; 3], d: $float) -> [$float; 3] {
+                if d.abs() <= 16.0 * $float::EPSILON { vector } else { step(step(vector)) }
+            }
+
+            /// How far from 1 the length squared of a vector may be that is taken to be a unit
+            /// vector.
+            const NEAR: $float = 1.0 / 128.0;
+
+            /// # Errors
+            /// [`Error::NotUnit`] for a vector that is not near unit length.
+            #[inline]
+            pub const fn unit(vector: [$float; 3]) -> Result<[$float; 3], Error> {
+                let length_squared = dot(vector, vector);
+                let d = length_squared - 1.0;
+                if d.abs() <= NEAR {
+                    Ok(corrected(vector, d))
+                } else {
+                    Err(Error::NotUnit { length_squared: length_squared as f64 })
+                }
+            }
+
+            /// # Errors
+            /// [`Error::NoDirection`] for a vector that is zero, infinite or not a number.
+            #[inline]
+            pub const fn normalized(vector: [$float; 3]) -> Result<[$float; 3], Error> {
+                let d = dot(vector, vector) - 1.0;
+                if d.abs() <= NEAR { Ok(corrected(vector, d)) } else { of_any_length(vector) }
+            }
+
+            const fn of_any_length([x, y, z]: [$float; 3]) -> Result<[$float; 3], Error> {
+                let larger = if x.abs() > y.abs() { x.abs() } else { y.abs() };
+                let largest = if larger > z.abs() { larger } else { z.abs() };
+                let finite = x.is_finite() && y.is_finite() && z.is_finite();
+                if !finite || largest == 0.0 {
+                    return Err(Error::NoDirection);
+                }
+                // The reciprocal of a subnormal number would be infinite.
+                let scaled = [x / largest, y / largest, z / largest];
+                Ok(step(step(times(scaled, 1.145 - 0.2 * dot(scaled, scaled)))))
+            }
+
+            /// The first two axes of the basis about a unit vector. Either sign of a zero has the
+            /// same.
+            #[inline(always)]
+            pub const fn basis([x, y, z]: [$float; 3]) -> [[$float; 3]; 2] {
+                let sign = if z < 0.0 { -1.0 } else { 1.0 };
+                let a = -1.0 / (sign + z);
+                let b = x * y * a;
+                [[1.0 + sign * (x * x * a), sign * b, -(sign * x)], [b, sign + y * y * a, -y]]
+            }
+        }
+    };
+}
+vectors!(f32);
+vectors!(f64);
