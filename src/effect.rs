@@ -9,12 +9,15 @@
 //!
 //! An effect that a renderer does not use costs nothing: no point drawn, no code, no table. Every
 //! sample has its density, and the weight to multiply with the value that the sample sees. The mean
-//! of weight times value estimates the effect's integral.
+//! of weight times value estimates the effect's integral. [`balance_heuristic`] and
+//! [`power_heuristic`] combine two strategies, such as a light's samples and a lobe's.
 //!
 //! Results are finite for finite input, unless slopes or sums of coordinates exceed MAX. The weight
-//! is 0 where nothing is visible: a receiver on the light, in its plane or behind it. Unit vectors
-//! are not checked.
+//! is 0 where nothing is visible: a receiver on the light, in its plane or behind it. Normals and
+//! arriving directions are a [`Unit`](crate::Unit) or a [`Frame`](crate::Frame), which are checked
+//! where they are made. The density that a sample has is that of its direction, within rounding.
 
+mod heuristics;
 mod polygon;
 
 macro_rules! modules {
@@ -25,10 +28,10 @@ macro_rules! modules {
 }
 for_each_effect!(modules);
 
+pub use heuristics::{balance_heuristic, power_heuristic};
 pub use polygon::Polygon;
 
 use crate::arithmetic::Real;
-use crate::error::Error;
 
 /// A direction with its density and weight.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -42,20 +45,6 @@ pub struct DirectionSample<R> {
     pub density: R,
     /// The factor of the value seen along the direction.
     pub weight: R,
-}
-
-/// A number, at least 0, of a finite area.
-fn checked_radius<R: Real>(radius: R) -> Result<R, Error> {
-    if radius >= R::ZERO && (radius * radius / R::FRAC_1_PI).finite() {
-        Ok(radius)
-    } else {
-        Err(Error::Radius { value: radius.into() })
-    }
-}
-
-/// A number above 0, infinity included.
-fn checked_distance<R: Real>(distance: R) -> Result<R, Error> {
-    if distance > R::ZERO { Ok(distance) } else { Err(Error::Distance { value: distance.into() }) }
 }
 
 /// A number that is not negative, at most MAX.

@@ -6,10 +6,10 @@
 //! t / d^2 where nothing is in the way. The weight is cos t / d^2: radiance A, the light's
 //! intensity along its axis, stays finite for a light of radius 0, which is a point.
 
-use super::{along, capped, checked_radius, reciprocal};
-use crate::arithmetic::{Arithmetic, Real, Root};
+use super::{along, capped, reciprocal};
+use crate::arithmetic::{Arithmetic, Real, RealKernel, Root};
 use crate::error::Error;
-use crate::frame::{Frame, dot};
+use crate::frame::{Frame, Unit};
 use crate::map::{Concentric, Map};
 
 /// A disc-shaped light that shines to the side of its normal, or to both sides.
@@ -31,7 +31,7 @@ pub struct DiscLight<A: Arithmetic> {
     frame: Frame<A::Real>,
     radius: A::Real,
     two_sided: bool,
-    /// [`size`] of the centre.
+    /// The size of the centre, |x n_x| + |y n_y| + |z n_z|.
     offset: A::Real,
 }
 
@@ -51,8 +51,9 @@ pub struct LightSample<R> {
     /// Per steradian about the receiver, a normal number; 0 where no light arrives.
     pub density: R,
     /// cos t / d^2, per square of the scene's unit: times the intensity along the axis and the
-    /// receiver's cosine it is irradiance. 0 behind the light and in its plane; the plane counts as
-    /// thick as the rounding error.
+    /// receiver's cosine it is irradiance. 0 behind the light and in its plane. The plane is as
+    /// thick as the rounding of a receiver's coordinates and of the centre's, half a step of each,
+    /// and of the products by which its side is found.
     pub weight: R,
 }
 
@@ -93,13 +94,8 @@ impl<A: Root> DiscLight<A> {
         frame: Frame<A::Real>,
         radius: A::Real,
     ) -> Result<Self, Error> {
-        let radius = checked_radius(radius)?;
-        // Twice, because the sums round.
-        let bad = |component: &A::Real| !(component.magnitude() + radius + radius).finite();
-        if let Some(component) = centre.into_iter().find(bad) {
-            return Err(Error::Position { value: component.into() });
-        }
-        let offset = size(centre, frame.axes()[2]);
+        let centre = A::Real::checked_centre(centre, radius)?;
+        let offset = A::Real::size(centre, frame.unit().get());
         Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false, offset })
     }
 
@@ -114,6 +110,15 @@ impl<A: Root> DiscLight<A> {
     #[inline]
     pub fn area(&self) -> A::Real {
         self.radius * self.radius / A::Real::FRAC_1_PI
+    }
+
+    /// Whether all of its light comes from one point: its radius is 0, or so small that its area is.
+    /// No direction of another strategy hits it, so that
+    /// [the heuristics](super::power_heuristic) weigh its samples with 1.
+    #[must_use]
+    #[inline]
+    pub fn is_delta(&self) -> bool {
+        self.area() == A::Real::ZERO
     }
 
     /// The density of its points, per unit of area; at most MAX.
@@ -132,7 +137,7 @@ impl<A: Root> DiscLight<A> {
         let [x, y] = self.map.sample(uv);
         let point = along(along(self.centre, x * self.radius, x_axis), y * self.radius, y_axis);
         let to_light = along(point, -A::Real::ONE, receiver);
-        let square = dot(to_light, to_light);
+        let square = A::Real::dot(to_light, to_light);
         if !(square >= A::Real::MIN_POSITIVE && square.finite()) {
             return LightSample { point, direction: normal, ..LightSample::default() };
         }
@@ -146,13 +151,16 @@ impl<A: Root> DiscLight<A> {
         LightSample { point, direction, distance, density, weight }
     }
 
-    /// The density of a direction from a receiver, per steradian. It is 0 where the direction
-    /// misses the light. It is also 0 for a light of radius 0, which only sampled directions hit.
+    /// The density of a direction from a receiver, per steradian. A vector that is not of unit
+    /// length stands for its direction. The density is 0 where the direction misses the light. It is
+    /// also 0 for a light of radius 0, which only sampled directions hit.
     #[must_use]
     #[inline]
     pub fn density(&self, receiver: [A::Real; 3], direction: [A::Real; 3]) -> A::Real {
-        let normal = self.frame.axes()[2];
-        let toward = -dot(direction, normal);
+        let Ok(direction) = Unit::normalized(direction).map(Unit::get) else {
+            return A::Real::ZERO;
+        };
+        let toward = -A::Real::dot(direction, self.frame.unit().get());
         let cosine = self.shining(toward);
         let distance = self.height(receiver) / toward;
         if !(cosine > A::Real::ZERO && distance > A::Real::ZERO) {
@@ -160,19 +168,26 @@ impl<A: Root> DiscLight<A> {
         }
         let to_centre = along(self.centre, -A::Real::ONE, receiver);
         let from_centre = along(to_centre, -distance, direction);
-        let inside = dot(from_centre, from_centre) < self.radius * self.radius;
+        let inside = A::Real::dot(from_centre, from_centre) < self.radius * self.radius;
         let density = distance * distance / (self.area() * cosine);
         if inside { capped(density) } else { A::Real::ZERO }
     }
 
-    /// A receiver's height above the light's plane, on the side of the normal; 0 where rounding of
-    /// the coordinates decides the side.
+    /// A receiver's height above the light's plane, on the side of the normal; 0 where rounding
+    /// decides the side.
+    ///
+    /// A coordinate is within half a step of what it stands for, and half a step is at most
+    /// EPSILON / 2 of it. The difference, three products and two sums lose no more than 2 EPSILON
+    /// of the sizes of the products.
     #[inline]
     fn height(&self, receiver: [A::Real; 3]) -> A::Real {
-        let normal = self.frame.axes()[2];
-        let height = dot(along(receiver, -A::Real::ONE, self.centre), normal);
-        let rounding = (self.offset + size(receiver, normal)) * A::Real::EPSILON * A::Real::FOUR;
-        if height.magnitude() > rounding { height } else { A::Real::ZERO }
+        let normal = self.frame.unit().get();
+        let above = along(receiver, -A::Real::ONE, self.centre);
+        let height = A::Real::dot(above, normal);
+        let half_a_step = A::Real::EPSILON * A::Real::HALF;
+        let given = self.offset * half_a_step + A::Real::size(receiver, normal) * half_a_step;
+        let lost = A::Real::size(above, normal) * (A::Real::EPSILON * A::Real::TWO);
+        if height.magnitude() > given + lost { height } else { A::Real::ZERO }
     }
 
     /// cos t from the cosine to the normal: 0 on a side where the light does not shine.
@@ -186,10 +201,4 @@ impl<A: Root> DiscLight<A> {
             A::Real::ZERO
         }
     }
-}
-
-/// |x n_x| + |y n_y| + |z n_z|: the dot product's rounding error is some eps of it.
-#[inline]
-fn size<R: Real>(point: [R; 3], normal: [R; 3]) -> R {
-    dot(point.map(R::magnitude), normal.map(R::magnitude))
 }

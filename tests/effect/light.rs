@@ -160,7 +160,7 @@ fn a_plane_is_as_thick_as_coordinates_round<A: Float>() {
         ([0.3, -0.8, 0.5], [2.0, 7.0, -3.0]),
         ([-0.6, 0.1, 0.7], [100.0, -30.0, 5.0]),
     ] {
-        let frame = Frame::normalized::<A>(A::vector(normal)).unwrap();
+        let frame = Frame::normalized(A::vector(normal)).unwrap();
         let light = DiscLight::<A>::new(A::vector(place), frame, A::real(0.5)).unwrap();
         let both = light.two_sided();
         for i in 0..1000 {
@@ -187,6 +187,51 @@ fn a_plane_is_as_thick_as_coordinates_round<A: Float>() {
     }
 }
 
+/// Near a light far from the origin: coordinates of 1e6 have a step of 1/16 in f32. Dark is what is
+/// within a step, lit what is two steps away or more, by the right weight.
+fn far_from_the_origin_a_step_counts<A: Float>() {
+    let down = Frame::new(A::vector([0.0, -1.0, 0.0])).unwrap();
+    let centre = A::vector([0.0, 1e6, 0.0]);
+    let light = DiscLight::<A>::new(centre, down, A::real(0.1)).unwrap();
+    let middle = [1 << 31, 1 << 31];
+    let at = |y: f64| light.sample(A::vector([0.0, y, 0.0]), middle);
+    let near = at(999_999.5);
+    assert_near(near.weight.into(), 4.0, 4.0 * A::EPS, "weight");
+    let receiver = A::vector([0.0, 999_999.5, 0.0]);
+    let density: f64 = light.density(receiver, near.direction).into();
+    assert_near(density / near.density.into(), 1.0, 40.0 * A::EPS, "density");
+    let step: f64 = (centre[1] * A::Real::EPSILON).into();
+    let steps = [1.0, 2.0, 3.0, 8.0, 16.0].map(|k| k * 2_f64.powi(step.log2().floor() as i32));
+    for (number, below) in steps.into_iter().enumerate() {
+        let weight: f64 = at(1e6 - below).weight.into();
+        if number > 0 {
+            assert_near(weight * below * below, 1.0, 0.1, "steps below");
+        }
+        assert_eq!(at(1e6 + below).weight.into(), 0.0, "{below} above");
+        assert!(
+            light.two_sided().sample(A::vector([0.0, 1e6 + 4.0 * below, 0.0]), middle).weight
+                > A::Real::ZERO
+        );
+    }
+    assert_eq!(at(1e6).weight.into(), 0.0);
+}
+
+/// A vector of another length stands for its direction, and one without a direction for none.
+fn the_length_of_a_direction_does_not_count<A: Float>() {
+    let light = lamp::<A>(1.0, 0.8);
+    let receiver = A::vector([0.5, 0.25, 0.0]);
+    let direction = light.sample(receiver, [1 << 30, 1 << 29]).direction;
+    let exact: f64 = light.density(receiver, direction).into();
+    for size in [1e-30, 0.5, 0.999, 1.001, 7.0, 1e30] {
+        let long = direction.map(|x| x * A::real(size));
+        let found: f64 = light.density(receiver, long).into();
+        assert_near(found / exact, 1.0, 20.0 * A::EPS.min(1e-6), "density");
+    }
+    for none in [[0.0; 3], [f64::NAN, 0.0, 1.0], [0.0, 0.0, f64::INFINITY]] {
+        assert_eq!(light.density(receiver, A::vector(none)).into(), 0.0, "{none:?}");
+    }
+}
+
 fn a_bad_radius_is_refused<A: Float>() {
     let up = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
     let large = A::Real::MAX.into().sqrt();
@@ -207,5 +252,7 @@ fn a_bad_centre_is_refused<A: Float>() {
 
 each_float!(
     irradiance_is_that_of_the_closed_form densities_are_per_steradian no_light_where_none_goes
-    nearness_has_an_end a_point_light_is_exact the_largest_light_is_finite a_plane_is_as_thick_as_coordinates_round a_bad_radius_is_refused a_bad_centre_is_refused
+    nearness_has_an_end a_point_light_is_exact the_largest_light_is_finite
+    a_plane_is_as_thick_as_coordinates_round far_from_the_origin_a_step_counts
+    the_length_of_a_direction_does_not_count a_bad_radius_is_refused a_bad_centre_is_refused
 );

@@ -6,6 +6,7 @@
 #![cfg(all(feature = "libm", feature = "micromath"))]
 
 mod glossy;
+mod heuristics;
 mod lens;
 mod light;
 mod occlusion;

@@ -10,7 +10,7 @@ use crate::arithmetics::{Exponent, Tested};
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::Frame;
 use hemidisc::arithmetic::{Real, Root};
-use hemidisc::effect::BelowHorizon;
+use hemidisc::effect::{BelowHorizon, balance_heuristic, power_heuristic};
 
 #[derive(Arbitrary, Debug)]
 struct Input {
@@ -57,10 +57,23 @@ impl EachRoot for Input {
 /// The frame about a vector, or about the z axis where it has no direction.
 fn frame<A: Root<Real: Real> + Tested>(vector: [f64; 3]) -> Frame<A::Real> {
     let up = nearest::<A, 3>([0.0, 0.0, 1.0]);
-    Frame::normalized::<A>(nearest::<A, 3>(vector))
-        .unwrap_or_else(|_| Frame::normalized::<A>(up).unwrap())
+    Frame::normalized(nearest::<A, 3>(vector)).unwrap_or_else(|_| Frame::new(up).unwrap())
 }
 
 fn all_finite<R: Into<f64>, const N: usize>(numbers: [R; N]) -> bool {
     wide(numbers).into_iter().all(f64::is_finite)
+}
+
+/// Of any two densities, both heuristics give shares in [0, 1], and a delta distribution's is 1.
+fn shares_a_direction<R: Real>(density: R, is_delta: bool, other: R) {
+    for heuristic in [balance_heuristic, power_heuristic] {
+        let [share, others] =
+            wide([heuristic(density, is_delta, other), heuristic(other, false, density)]);
+        let what = || format!("{density:?} {is_delta} {other:?}: {share} {others}");
+        assert!((0.0..=1.0).contains(&share) && (0.0..=1.0).contains(&others), "{}", what());
+        assert!(!is_delta || share == 1.0, "{}", what());
+        if !is_delta && density > R::ZERO && other > R::ZERO {
+            assert!((share + others - 1.0).abs() <= 4.0 * R::EPSILON.into(), "{}", what());
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use super::super::convert::assert_clear;
 use super::super::roots::{eps, nearest, smallest, wide};
 use super::{Input, all_finite, frame};
-use crate::arithmetics::Tested;
+use crate::arithmetics::{Number, Tested};
 use crate::contract::contract;
 use crate::orthonormal::dot;
 use hemidisc::Error;
@@ -51,15 +51,22 @@ fn samples<A: Root<Real: Real> + Tested>(light: DiscLight<A>, input: &Input) {
         let sample = light.sample(receiver, input.uv);
         let what = || format!("{} {input:x?}: {sample:?}", A::NAME);
         is_sound::<A>(&light, sample, input, &what);
-        is_exact::<A>(sample, input, &what);
+        is_exact::<A>(&light, sample, input, &what);
         let found: f64 = light.density(receiver, sample.direction).exact();
         assert!(found >= 0.0 && found.is_finite(), "{}: {found:e}", what());
+        super::shares_a_direction(
+            sample.density,
+            light.is_delta(),
+            A::Real::nearest(input.distance),
+        );
     }
     let [one, both] = [light, two_sided].map(|light| light.sample(receiver, input.uv));
     if one.weight > A::Real::ZERO {
         assert_eq!(one, both, "{input:x?}");
     }
+    assert_eq!(light.is_delta(), light.area() == A::Real::ZERO, "{input:x?}");
     if input.radius == 0.0 {
+        assert!(light.is_delta(), "{input:x?}");
         assert_eq!(one, light.sample(receiver, input.other), "{input:x?}");
     }
     // Any direction gives a number.
@@ -97,6 +104,7 @@ fn is_sound<A: Root<Real: Real> + Tested>(
 
 /// cos t / d^2 of the point that was given, where neither leaves the range of normal numbers.
 fn is_exact<A: Root<Real: Real> + Tested>(
+    light: &DiscLight<A>,
     sample: LightSample<A::Real>,
     input: &Input,
     what: &impl Fn() -> String,
@@ -110,13 +118,17 @@ fn is_exact<A: Root<Real: Real> + Tested>(
         return;
     }
     let cosine = -dot(to_light, wide(normal)) / square.sqrt();
-    // The light's plane is as thick as the rounding error.
+    // The light's plane is as thick as the coordinates' rounding, and that of the height.
     let [centre, receiver] = [input.centre, input.receiver].map(|v| wide(nearest::<A, 3>(v)));
-    let sizes = [centre, receiver].map(|v| dot(v.map(f64::abs), wide(normal).map(f64::abs)));
+    let size = |v: [f64; 3]| dot(v.map(f64::abs), wide(normal).map(f64::abs));
+    let above = [0, 1, 2].map(|i| receiver[i] - centre[i]);
+    let sizes = [centre, receiver].map(size);
+    let given_and_lost = [sizes[0] + sizes[1], size(above)];
+    knows_its_side::<A>(light, sample, dot(above, wide(normal)), given_and_lost);
     let [radius] = wide(nearest::<A, 1>([input.radius]));
     // A point of it is off by its own rounding error.
     let size = sizes[0] + sizes[1] + radius;
-    let thick = 16.0 * eps::<A::Real>() * size / square.sqrt();
+    let thick = 4.0 * eps::<A::Real>() * size / square.sqrt();
     let [weight] = wide([sample.weight]);
     let exact = if weight > 0.0 { cosine.abs() } else { cosine.min(0.0) } / square;
     let room = (16.0 * A::DENSITY_ERROR + thick) / square + smallest;
@@ -134,5 +146,34 @@ fn is_exact<A: Root<Real: Real> + Tested>(
         let [found] = wide([sample.density]);
         let unit = contract(A::NAME, "uniform").unwrap().unit;
         assert!((found / density - 1.0).abs() <= 16.0 * unit, "{}: density {density:e}", what());
+    }
+}
+
+/// Which side a receiver is on is unknown within a step of its coordinates and the light's, half of
+/// each, and the rounding of the height. Within the step it is dark, beyond both it is lit, and from
+/// behind it never is.
+fn knows_its_side<A: Root<Real: Real> + Tested>(
+    light: &DiscLight<A>,
+    sample: LightSample<A::Real>,
+    height: f64,
+    [given, lost]: [f64; 2],
+) {
+    let lit = sample.weight > A::Real::ZERO;
+    let what = || format!("{}: {height:e} of {given:e} and {lost:e}: {sample:?}", A::NAME);
+    // A double's own sums round as much as it does.
+    let own = 8.0 * f64::EPSILON * (given + lost);
+    let eps = eps::<A::Real>();
+    let (step, rounding) = (eps * given, 4.0 * eps * lost);
+    if height.abs() <= step - own - smallest::<A::Real>() {
+        assert!(!lit, "{}", what());
+    }
+    if !light.is_two_sided() && height < -own {
+        assert!(!lit, "{}", what());
+    }
+    let seen = height > 0.0 || light.is_two_sided();
+    let [distance, least] = wide([sample.distance, A::Real::MIN_POSITIVE]);
+    let is_number = height.abs() / distance.powi(3) > least && height.abs() > least / eps;
+    if seen && is_number && height.abs() > 1.1 * (step + 2.0 * rounding) + own {
+        assert!(lit, "{}", what());
     }
 }
