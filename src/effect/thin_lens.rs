@@ -6,7 +6,7 @@
 //! (l_x, l_y) it is d - (l_x, l_y, 0) / f with the focal distance f. A lens of radius 0 gives d to
 //! the last bit.
 
-use super::{capped, checked_distance, checked_radius, reciprocal};
+use super::{capped, reciprocal};
 use crate::arithmetic::Real;
 use crate::error::Error;
 use crate::map::{Density, Map};
@@ -77,12 +77,15 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
     /// [`Error::Distance`] for a distance that is not above 0, or so small that radius / distance
     /// is not finite.
     pub fn new(aperture: M, radius: R, focal_distance: R) -> Result<Self, Error> {
-        let radius = checked_radius(radius)?;
-        let nearness = capped(R::ONE / checked_distance(focal_distance)?);
-        if !(radius * nearness).finite() {
-            return Err(Error::Distance { value: focal_distance.into() });
-        }
+        let nearness = R::nearness(radius, focal_distance)?;
         Ok(Self { aperture, radius, focal_distance, nearness })
+    }
+
+    /// Whether all rays pass one point: a pinhole, or a radius so small that its square is 0.
+    #[must_use]
+    #[inline]
+    pub fn is_delta(&self) -> bool {
+        self.radius * self.radius == R::ZERO
     }
 
     /// The point of the lens for a pair of coordinates.
@@ -100,22 +103,33 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
     where
         M: Density,
     {
-        let unit = self.aperture.sample(uv);
+        let (unit, density) = self.aperture.sample_with_density(uv);
         let [x, y] = unit.map(|component| component * self.radius);
         LensRay {
             origin: [x, y, R::ZERO],
             direction: [d_x - x * self.nearness, d_y - y * self.nearness, R::ONE],
-            density: reciprocal(self.radius * self.radius / self.aperture.density(unit)),
+            density: reciprocal(self.radius * self.radius / density),
             weight: R::ONE,
         }
     }
 
-    /// Radius of the circle of confusion at a finite distance ahead: r |1 - distance / f|, in the
-    /// lens's unit, at most MAX. Divided by the distance it is the radius of the blur in the image
-    /// plane z = 1.
+    /// Radius of the circle of confusion at a distance ahead: r |1 - distance / f|, in the lens's
+    /// unit, at most MAX. At infinity it is MAX, but 0 for a pinhole. A lens in focus at infinity
+    /// has its own radius at every distance. Divided by the distance it is the radius of the blur in
+    /// the image plane z = 1.
     #[must_use]
     #[inline]
     pub fn circle_of_confusion(&self, distance: R) -> R {
-        capped((self.radius - distance * (self.radius * self.nearness)).magnitude())
+        if self.radius == R::ZERO || self.nearness == R::ZERO {
+            return self.radius;
+        }
+        let ratio = distance * self.nearness;
+        // Where the ratio overflows, a small radius may bring the product back.
+        let blur = if ratio.finite() {
+            self.radius * (R::ONE - ratio)
+        } else {
+            distance * (self.radius * self.nearness)
+        };
+        capped(blur.magnitude())
     }
 }

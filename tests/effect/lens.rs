@@ -3,8 +3,9 @@
 use super::{COUNT, Float, assert_near, each_float, wide};
 use hemidisc::arithmetic::Real;
 use hemidisc::effect::{Polygon, ThinLens};
+use hemidisc::map::Component;
 use hemidisc::sequence::SobolOwen;
-use hemidisc::{Concentric, Error};
+use hemidisc::{Concentric, Density, Error, Map};
 
 /// All rays of a pixel meet in focus; elsewhere they fill the circle of confusion, and no more.
 fn the_blur_is_the_circle_of_confusion<A: Float>() {
@@ -66,6 +67,32 @@ fn densities_are_of_the_aperture<A: Float>() {
     );
 }
 
+/// At infinity a pinhole is sharp, a lens in focus there has its own radius, and any other lens the
+/// largest number. What overflows on the way does not show.
+fn confusion_is_known_everywhere<A: Float>() {
+    let lens = |radius, focus| ThinLens::new(Concentric::<A>::new(), radius, focus).unwrap();
+    let [far, most] = [A::Real::ONE / A::Real::ZERO, A::Real::MAX];
+    let least = A::Real::MIN_POSITIVE;
+    let distances = [A::Real::ZERO, least, A::Real::ONE, most, far];
+    for distance in distances {
+        for focus in [least, A::Real::ONE, most, far] {
+            assert_eq!(lens(A::Real::ZERO, focus).circle_of_confusion(distance), A::Real::ZERO);
+        }
+        assert_eq!(lens(A::Real::TWO, far).circle_of_confusion(distance), A::Real::TWO);
+    }
+    for radius in [least, A::Real::ONE] {
+        for focus in [A::Real::ONE, most] {
+            assert_eq!(lens(radius, focus).circle_of_confusion(far), most, "{radius:?}");
+        }
+    }
+    // r d / f where r / f underflows, and where d / f overflows.
+    let large = A::Real::ONE / least;
+    let blur: f64 = lens(least, large * A::Real::HALF).circle_of_confusion(large).into();
+    assert_near(blur / least.into(), 1.0, A::EPS, "small slope");
+    let blur: f64 = lens(least, least).circle_of_confusion(large * A::Real::HALF).into();
+    assert_near(blur / large.into(), 0.5, A::EPS, "large ratio");
+}
+
 fn bad_lenses_are_refused<A: Float>() {
     let lens =
         |radius, focus| ThinLens::new(Concentric::<A>::new(), A::real(radius), A::real(focus));
@@ -93,4 +120,44 @@ fn bad_lenses_are_refused<A: Float>() {
     );
 }
 
-each_float!(the_blur_is_the_circle_of_confusion a_pinhole_is_exact densities_are_of_the_aperture bad_lenses_are_refused);
+/// An aperture that counts what a ray asks of it.
+#[derive(Clone, Copy)]
+struct Counted<'a, M>(M, &'a core::cell::Cell<u32>);
+
+impl<M: Map> Map for Counted<'_, M> {
+    type Point = M::Point;
+
+    fn sample(&self, uv: [u32; 2]) -> M::Point {
+        self.0.sample(uv)
+    }
+}
+
+impl<M: Density> Density for Counted<'_, M> {
+    fn density(&self, point: M::Point) -> Component<M> {
+        self.1.set(self.1.get() + 1);
+        self.0.density(point)
+    }
+
+    fn sample_with_density(&self, uv: [u32; 2]) -> (M::Point, Component<M>) {
+        self.0.sample_with_density(uv)
+    }
+}
+
+/// A ray looks for no density of a point: of a polygon that would be a search of its blades.
+fn a_ray_takes_the_density_of_the_sample<A: Float>() {
+    let searches = core::cell::Cell::new(0);
+    let blades = Counted(Polygon::<A, 16>::new(5), &searches);
+    let lens = ThinLens::new(blades, A::Real::ONE, A::Real::ONE).unwrap();
+    for i in 0..1000 {
+        let uv = SobolOwen::new(2).at(i);
+        let density = lens.ray([A::Real::ZERO; 2], uv).density;
+        let expected = blades.0.density(blades.0.sample(uv));
+        assert_near((density / expected).into(), 1.0, 4.0 * A::EPS.min(1e-6), "density");
+    }
+    assert_eq!(searches.get(), 0);
+}
+
+each_float!(
+    the_blur_is_the_circle_of_confusion a_pinhole_is_exact densities_are_of_the_aperture
+    confusion_is_known_everywhere bad_lenses_are_refused a_ray_takes_the_density_of_the_sample
+);

@@ -4,6 +4,7 @@ use super::{COUNT, Float, assert_near, each_float, wide};
 use hemidisc::Density;
 use hemidisc::Invert;
 use hemidisc::Map;
+use hemidisc::arithmetic::Real;
 use hemidisc::effect::Polygon;
 use hemidisc::sequence::SobolOwen;
 use std::f64::consts::{PI, TAU};
@@ -59,6 +60,56 @@ fn the_side_between_two_blades_is_found_again<A: Float>() {
     }
 }
 
+/// The density is 1 / area to the last digits for any number of blades, and that of a sample.
+fn one_density<A: Float, const N: usize>() {
+    let polygon = Polygon::<A, N>::new(1 << 20);
+    let exact = 2.0 / (N as f64 * (TAU / N as f64).sin());
+    for i in 0..100 {
+        let (point, density) = polygon.sample_with_density(SobolOwen::new(3).at(i));
+        let wide: f64 = density.into();
+        // The quotient here rounds as well.
+        let room = f64::max(A::Real::EPSILON.into(), 4.0 * f64::EPSILON);
+        assert!((wide / exact - 1.0).abs() <= room, "{N}: {wide} {exact}");
+        assert_eq!(polygon.density(point), density, "{N}: {point:?}");
+    }
+}
+
+/// 1 / (N/2 sin(2 pi / N)) by mpmath for 3 and 4096 blades; for others by f64's sine.
+fn the_area_has_no_rounding_of_its_blades<A: Float>() {
+    for (found, exact) in [
+        (Polygon::<A, 3>::new(0).sample_with_density([7, 7]).1, 0.769_800_358_919_501_1),
+        (Polygon::<A, 4096>::new(0).sample_with_density([7, 7]).1, 0.318_310_011_019_501_04_f64),
+    ] {
+        let room = f64::max(A::Real::EPSILON.into(), 2.0 * f64::EPSILON);
+        assert!((found.into() / exact - 1.0).abs() <= room, "{found:?}");
+    }
+    one_density::<A, 3>();
+    one_density::<A, 4>();
+    one_density::<A, 5>();
+    one_density::<A, 7>();
+    one_density::<A, 16>();
+    one_density::<A, 100>();
+    one_density::<A, 1000>();
+    one_density::<A, 5000>();
+}
+
+/// A generator's two words are the coordinates; `Default` has a corner on the x axis.
+fn a_generator_draws_from_it<A: Float>() {
+    let polygon = Polygon::<A, 6>::default();
+    assert_eq!(polygon, Polygon::new(0));
+    #[cfg(feature = "rand")]
+    {
+        use rand::distr::Distribution;
+        use rand::{Rng, SeedableRng, rngs::SmallRng};
+        let mut generator = SmallRng::seed_from_u64(3);
+        let mut same = generator.clone();
+        for _ in 0..10 {
+            let point: [A::Real; 2] = Distribution::sample(&polygon, &mut generator);
+            assert_eq!(point, Map::sample(&polygon, [same.next_u32(), same.next_u32()]));
+        }
+    }
+}
+
 fn points_are_even_and_inside<A: Float>() {
     check::<A, 3>(0.25);
     check::<A, 5>(0.0);
@@ -67,4 +118,7 @@ fn points_are_even_and_inside<A: Float>() {
     check::<A, 16>(0.5);
 }
 
-each_float!(points_are_even_and_inside the_side_between_two_blades_is_found_again);
+each_float!(
+    points_are_even_and_inside the_side_between_two_blades_is_found_again
+    the_area_has_no_rounding_of_its_blades a_generator_draws_from_it
+);
