@@ -62,6 +62,35 @@ fn the_reach_is_open<A: Float>() {
     assert_eq!([Some(1.999), Some(2.0), Some(2.001), None].map(openness), [0.0, 1.0, 1.0, 1.0]);
 }
 
+/// 1 - (1 - d / R)^2, without an edge at the reach R.
+fn what_is_near_fades<A: Float>() {
+    let occlusion = AmbientOcclusion::<A>::new(A::real(2.0)).unwrap();
+    let faded = |met: f64| -> f64 { occlusion.faded_openness(Some(A::real(met))).into() };
+    for (met, exact) in [(0.0, 0.0), (0.5, 0.4375), (1.0, 0.75), (1.5, 0.9375), (-1.0, 0.0)] {
+        assert_near(faded(met), exact, A::EPS.min(1e-6), "fade");
+    }
+    assert_near(faded(2.0 - 1e-4), 1.0, 1e-8 + A::EPS.min(1e-6), "before the reach");
+    assert_eq!([2.0, 2.5, f64::INFINITY, f64::NAN].map(faded), [1.0; 4]);
+    assert_eq!(occlusion.faded_openness(None), occlusion.openness(None));
+    // Below a ceiling at a height h < R, c = h / R: cos t > c is within the reach, and the mean is
+    // the integral of 2 cos t (2 c / cos t - c^2 / cos^2 t) there, and of 2 cos t beyond it.
+    for c in [0.1, 0.5, 0.9_f64] {
+        let exact = 4.0 * c * (1.0 - c) + 2.0 * c * c * c.ln() + c * c;
+        let found = even_mean(|uv| {
+            let ground = Frame::new(A::vector([0.0, 0.0, 1.0])).unwrap();
+            let sample = occlusion.sample(&ground, uv);
+            faded(2.0 * c / sample.direction[2].into())
+        });
+        assert_near(found, exact, 2e-3 + A::EPS, "ceiling");
+    }
+    // Within an infinite reach anything hides, as without fading.
+    let endless = AmbientOcclusion::<A>::new(A::real(f64::INFINITY)).unwrap();
+    for met in [Some(0.0), Some(1e30), Some(f64::INFINITY), None] {
+        let met = met.map(A::real);
+        assert_eq!(endless.faded_openness(met), endless.openness(met), "{met:?}");
+    }
+}
+
 fn a_bad_reach_is_refused<A: Float>() {
     for reach in [0.0, -1.0, f64::NAN] {
         let found = AmbientOcclusion::<A>::new(A::real(reach));
@@ -69,4 +98,7 @@ fn a_bad_reach_is_refused<A: Float>() {
     }
 }
 
-each_float!(beside_a_wall within_a_reach the_reach_is_open under_a_sphere a_bad_reach_is_refused);
+each_float!(
+    beside_a_wall within_a_reach the_reach_is_open under_a_sphere what_is_near_fades
+    a_bad_reach_is_refused
+);
