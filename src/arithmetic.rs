@@ -41,8 +41,8 @@ for_each_arithmetic!(modules);
 
 #[cfg(feature = "fixed-point")]
 pub use fixed::FixedExponent;
-pub(crate) use float::RealKernel;
 pub use float::{DiscPoint, Float, Real, Root};
+pub(crate) use float::{FloatBack, RealKernel};
 
 /// A number type and the kernels of all maps on it. Sealed: [`Float`] is the way to bring another
 /// library.

@@ -13,7 +13,7 @@ use hemidisc::sequence::{
 };
 use hemidisc::{
     Axis, Concentric, Coordinates, Cosine, Domain, FastF32, Frame, Invert, LibmF32, LibmF64,
-    Points, Polar, Power, Q15, Q31, Uniform, UnitSquare, invariant,
+    Points, Polar, Power, Q15, Q31, Uniform, Unit, UnitSquare, invariant,
 };
 use proptest::prelude::*;
 use std::fmt::Debug;
@@ -84,6 +84,8 @@ fn valid(bytes: &[u8], uv: [u32; 2]) {
     let frame = made::<Frame<f64>>(bytes);
     assert_eq!(Frame::new(frame.axes()[2]), Ok(frame));
     made::<About<Cosine<LibmF32>, f32>>(bytes);
+    let unit = made::<Unit<f32>>(bytes);
+    assert_eq!(Unit::new(unit.get()), Ok(unit));
     let domain: Domain = made(bytes);
     let (split, stream): (Split, Stream) = (made(bytes), made(bytes));
     assert_eq!(stream, domain.stream());
@@ -99,8 +101,9 @@ fn valid(bytes: &[u8], uv: [u32; 2]) {
     let light: DiscLight<LibmF32> = made(bytes);
     assert!(light.sample([0.0; 3], uv).weight.is_finite(), "{light:?}");
     assert!(made::<AmbientOcclusion<LibmF64>>(bytes).reach() > 0.0);
+    let up = Unit::new([0.0, 1.0, 0.0]).unwrap();
     let gloss: Glossy<LibmF32> = made(bytes);
-    let sample = gloss.sample([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], uv);
+    let sample = gloss.sample(-up, up, uv);
     assert!(sample.is_none_or(|sample| sample.direction[1] > -1e-6), "{gloss:?}");
     made::<BelowHorizon>(bytes);
 }

@@ -14,8 +14,8 @@ use hemidisc::sequence::{
     Sobol, SobolOwen,
 };
 use hemidisc::{
-    Axis, Concentric, Coordinates, Cosine, Domain, Error, FastF32, Frame, LibmF32, LibmF64, Points,
-    Polar, Power, Q15, Q15Div, Q31, Uniform, UnitSquare,
+    Axis, Concentric, Coordinates, Cosine, Domain, Error, FastF32, Frame, LibmF32, LibmF64, Map,
+    Points, Polar, Power, Q15, Q15Div, Q31, Uniform, Unit, UnitSquare,
 };
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -103,11 +103,23 @@ fn maps_are_the_arguments_of_their_constructors() {
         kept(Power::<Q31>::new(exponent).unwrap());
     }
     let frame = Frame::new([0.0, -1.0, 0.0_f32]).unwrap();
-    written(frame, "(z:(0.0,-1.0,0.0))");
-    kept(Frame::normalized::<LibmF64>([0.1, -7.0, 1e-9]).unwrap());
-    kept(Frame::normalized::<LibmF32>([0.1, -7.0, -1e-9]).unwrap());
+    written(frame, "(z:(0.0,-1.0,0.0),tangent:None)");
+    assert_eq!(ron::from_str::<Frame<f32>>("(z:(0.0,-1.0,0.0))").unwrap(), frame);
+    let tilted = Frame::with_tangent(frame.unit(), [3.0, 0.0, 4.0]).unwrap();
+    let [x, ..] = tilted.axes();
+    let text = format!("(z:(0.0,-1.0,0.0),tangent:Some(({:?},{:?},{:?})))", x[0], x[1], x[2]);
+    written(tilted, &text);
+    written(-frame.unit(), "(vector:(-0.0,1.0,-0.0))");
+    kept(Unit::normalized([0.1_f64, -7.0, 1e-9]).unwrap());
+    for i in 0..100 {
+        let normal = Uniform::<LibmF32>::new().sample(SobolOwen::new(1).at(i));
+        let tangent = Uniform::<LibmF32>::new().sample(SobolOwen::new(2).at(i));
+        kept(Frame::with_tangent(Unit::new(normal).unwrap(), tangent).unwrap());
+    }
+    kept(Frame::normalized([0.1, -7.0, 1e-9]).unwrap());
+    kept(Frame::normalized([0.1, -7.0, -1e-9]).unwrap());
     let about: About<_, f32> = Cosine::<LibmF32>::new().about(frame);
-    written(about, "(map:(disc:()),frame:(z:(0.0,-1.0,0.0)))");
+    written(about, "(map:(disc:()),frame:(z:(0.0,-1.0,0.0),tangent:None))");
     kept([Q15::MAX, -Q15::LSB]);
     kept([Q31::MAX, Q31::from_bits(i32::MIN)]);
 }
@@ -136,7 +148,7 @@ fn effects_are_the_arguments_of_their_constructors() {
     written(Polygon::<LibmF32, 5>::new(1 << 30), "(rotation:1073741824)");
     let frame = Frame::new([0.0, 0.0, 1.0]).unwrap();
     let light = DiscLight::<LibmF32>::new([1.0, 2.0, 3.0], frame, 0.5).unwrap();
-    let text = "(centre:(1.0,2.0,3.0),frame:(z:(0.0,0.0,1.0)),radius:0.5,two_sided:";
+    let text = "(centre:(1.0,2.0,3.0),frame:(z:(0.0,0.0,1.0),tangent:None),radius:0.5,two_sided:";
     written(light, &format!("{text}false)"));
     written(light.two_sided(), &format!("{text}true)"));
     written(AmbientOcclusion::<LibmF64>::new(0.3).unwrap(), "(reach:0.3)");
@@ -150,7 +162,7 @@ fn effects_are_the_arguments_of_their_constructors() {
     let sample: LightSample<f32> = light.sample([0.0, 0.0, 9.0], [1, 2]);
     kept(sample);
     let sample: Option<DirectionSample<f32>> =
-        gloss.sample([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], [1, 2]);
+        gloss.sample(Unit::new([0.0, -1.0, 0.0]).unwrap(), frame.unit(), [1, 2]);
     kept(sample.unwrap());
 }
 
@@ -182,6 +194,9 @@ fn what_a_constructor_refuses_is_not_read() {
     refused::<Power<LibmF32>>(exponent, reason(Power::<LibmF32>::new(-1.0)));
     refused::<Power<LibmF64, Polar<LibmF64>>>(exponent, Error::Exponent { value: -1.0 });
     refused::<Frame<f32>>("(z:(0,0,2))", reason(Frame::new([0.0, 0.0, 2.0_f32])));
+    refused::<Unit<f64>>("(vector:(0,0,1.1))", reason(Unit::new([0.0, 0.0, 1.1])));
+    let along = "(z:(0,0,1),tangent:Some((0,0,-3)))";
+    refused::<Frame<f32>>(along, Error::Parallel { cosine: -1.0 });
     let about = "(map:(disc:()),frame:(z:(0,0,0)))";
     refused::<About<Cosine<LibmF32>, f32>>(about, reason(Frame::new([0.0_f32; 3])));
 

@@ -107,12 +107,12 @@ impl<A: Root> Assembly<'_, A> {
     fn with_lens<L: Lens<A> + Sync>(self, lens: L) -> Result<(), String> {
         let scene::Light { position, toward, two_sided, radius, .. } = &self.scene.light;
         let position = vector::<A>(position.0);
-        let frame = Frame::normalized::<A>(vector::<A>(toward.0))
+        let frame = Frame::normalized(vector::<A>(toward.0))
             .map_err(|error| named::<A>("light.toward", error))?;
         match radius.filter(|_| self.effects.has(Effect::Light)) {
             None => {
-                let [_, _, normal] = frame.axes();
-                self.with_light(lens, PointLight { position, normal, two_sided: *two_sided })
+                let (normal, two_sided) = (frame.unit(), *two_sided);
+                self.with_light(lens, PointLight { position, normal, two_sided })
             }
             Some(radius) => {
                 let light = DiscLight::<A>::new(position, frame, real::<A>(radius.0))

@@ -26,7 +26,7 @@ pub fn planes<A: Root, G>(
     let plane = |(number, plane): (usize, &scene::Plane)| {
         let material = material::<A, G>(&plane.material, lobe)
             .map_err(|wrong| format!("planes[{number}].{wrong}"))?;
-        let frame = Frame::normalized::<A>(vector::<A>(plane.normal.0))
+        let frame = Frame::normalized(vector::<A>(plane.normal.0))
             .map_err(|error| named::<A>(&format!("planes[{number}].normal"), error))?;
         let checker = plane.checker.as_ref().map(|checker| Checker {
             albedo: vector::<A>(checker.albedo.0),

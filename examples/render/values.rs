@@ -31,7 +31,7 @@ checked! {
     /// A place.
     Point([f64; 3], "[f64; 3]") |place| all(place, |x| x.abs() <= MOST, "numbers from -1e15 to 1e15");
     /// Any length but 0.
-    Direction([f64; 3], "[f64; 3]") |direction| said(Frame::normalized::<LibmF64>(direction));
+    Direction([f64; 3], "[f64; 3]") |direction| said(Frame::normalized(direction));
     /// Linear red, green and blue.
     Colour([f64; 3], "[f64; 3]") |colour| {
         all(colour, |part| (0.0..=MOST).contains(&part), "numbers from 0 to 1e15")

@@ -27,8 +27,11 @@ mod disc;
 mod disc_point;
 mod functions;
 mod inverse;
+pub(crate) mod length;
 mod power;
 mod real;
+mod share;
+pub(crate) mod vector;
 
 pub use disc_point::DiscPoint;
 pub use functions::Float;
@@ -42,8 +45,22 @@ use inverse::Lowered;
 
 impl<T: Float> Sealed for T {}
 
-/// An arithmetic of `f32` or `f64` with a square root, which distances and unit vectors need.
-pub trait Root: Arithmetic<Real: Real> {
+/// What lobes of floats know beyond their densities.
+#[doc(hidden)]
+pub trait FloatBack: Back {
+    /// The share of a power lobe above a plane, from the sine and the square of the cosine of its
+    /// axis's elevation.
+    fn power_share(exponent: Self::Exponent, sin: Self::Real, cos2: Self::Real) -> Self::Real;
+}
+
+impl<T: Float> FloatBack for T {
+    fn power_share(exponent: PowerExponent<T::Real>, sin: T::Real, cos2: T::Real) -> T::Real {
+        share::above::<T>(exponent.plus_1(), sin, cos2)
+    }
+}
+
+/// An arithmetic of `f32` or `f64` with a square root, which distances need.
+pub trait Root: Arithmetic<Real: Real, Back: FloatBack> {
     /// Square root of x in [0, MAX].
     ///
     /// For normal numbers and 0 it is within 2^-52 in `f64` and 2.5e-7 in `f32`, relative. For a

@@ -13,7 +13,7 @@ for_each_lobe!(modules);
 
 use super::disc::{Concentric, DiscMap, LoweredOf};
 use super::{Density, Invert, Map, sealed::Sealed};
-use crate::arithmetic::{Arithmetic, KernelOf};
+use crate::arithmetic::{Arithmetic, FloatBack, KernelOf, Root};
 use crate::block::{Block, Lanes};
 use crate::error::Error;
 use crate::frame::{About, Frame};
@@ -83,6 +83,14 @@ impl<L, D> Hemisphere<L, D> {
         &self.disc
     }
 
+    /// Whether all of its directions are one: never, for a lobe of finite exponent has a density.
+    /// For [the heuristics](crate::effect::power_heuristic).
+    #[must_use]
+    #[inline]
+    pub const fn is_delta(&self) -> bool {
+        false
+    }
+
     /// The same directions in world space, about the third axis of a frame.
     #[must_use]
     pub const fn about<R>(self, frame: Frame<R>) -> About<Self, R>
@@ -141,6 +149,14 @@ impl<A: Arithmetic, D> Hemisphere<PowerLobe<A>, D> {
     #[must_use]
     pub fn exponent(&self) -> A::Parameter {
         self.lobe.exponent()
+    }
+}
+
+impl<A: Root, D> Hemisphere<PowerLobe<A>, D> {
+    /// The share of its directions above a plane, from the sine and the square of the cosine of
+    /// its axis's elevation.
+    pub(crate) fn share_above(&self, sin: A::Real, cos2: A::Real) -> A::Real {
+        A::Back::power_share(self.lobe.prepared().into(), sin, cos2)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::Visitor;
 use core::hint::black_box;
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
-use hemidisc::{Concentric, Density, Error, FastF32, Frame, LibmF32, MicromathF32};
+use hemidisc::{Concentric, Density, Error, FastF32, Frame, LibmF32, MicromathF32, Unit};
 
 /// A function that fills by an effect, under its path.
 macro_rules! fill {
@@ -56,10 +56,13 @@ macro_rules! effects {
             }
         );
         fill!(
-            $visitor, concat!("effect/glossy/", $name), Glossy<$arithmetic>,
-            Glossy::new(50.0, BelowHorizon::Zero)?,
-            |gloss: &Glossy<$arithmetic>, uv| {
-                let sample = gloss.sample([0.6, -0.8, 0.0], [0.0, 1.0, 0.0], uv);
+            $visitor, concat!("effect/glossy/", $name), (Glossy<$arithmetic>, [Unit<f32>; 2]),
+            (
+                Glossy::new(50.0, BelowHorizon::Zero)?,
+                [Unit::new([0.6, -0.8, 0.0])?, Unit::new([0.0, 1.0, 0.0])?],
+            ),
+            |(gloss, [arriving, normal]): &(Glossy<$arithmetic>, [Unit<f32>; 2]), uv| {
+                let sample = gloss.sample(*arriving, *normal, uv);
                 let sample = sample.unwrap_or_default();
                 let [x, y, z] = sample.direction;
                 [x, y, z, 0.0, sample.density, sample.weight]

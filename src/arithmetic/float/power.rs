@@ -32,6 +32,11 @@ impl<R: Real> PowerExponent<R> {
         Ok(Self { e, e_plus_1, lost: lost / e_plus_1, spread: T::sqrt(R::TWO / e_plus_1) })
     }
 
+    /// e + 1, rounded.
+    pub(super) fn plus_1(self) -> R {
+        self.e_plus_1
+    }
+
     /// The exponent as the user gave it.
     pub fn value(self) -> R {
         self.e

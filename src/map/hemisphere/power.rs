@@ -19,6 +19,11 @@ impl<A: Arithmetic> PowerLobe<A> {
         Ok(Self { exponent: A::exponent(exponent)? })
     }
 
+    /// The exponent with its precomputed values.
+    pub(super) fn prepared(&self) -> A::Exponent {
+        self.exponent
+    }
+
     pub(super) fn exponent(&self) -> A::Parameter {
         A::given(self.exponent)
     }

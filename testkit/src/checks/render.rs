@@ -47,7 +47,7 @@ fn picture<A: Root<Real: Real> + Tested>(input: &Input) -> Result<(), Error> {
     let scene = &input.scene;
     let lens = scene.lens::<A>();
     let (position, frame) = scene.lamp::<A>()?;
-    let point = PointLight { position, normal: frame.axes()[2], two_sided: scene.lamp.two_sided };
+    let point = PointLight { position, normal: frame.unit(), two_sided: scene.lamp.two_sided };
     let row = match scene.lamp.radius {
         None => checked_row::<A, _>(input, lens, point)?,
         Some(radius) => {

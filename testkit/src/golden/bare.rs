@@ -39,8 +39,9 @@ fn radiance<A: Root>(scene: &Scene<'_, A, impl Points>, ray: &Ray<A>) -> Vector<
     else {
         return own;
     };
-    let height = dot(ray.direction, hit.normal);
-    let mirrored = core::array::from_fn(|i| ray.direction[i] + -(height + height) * hit.normal[i]);
+    let normal = hit.normal.get();
+    let height = dot(ray.direction, normal);
+    let mirrored = core::array::from_fn(|i| ray.direction[i] + -(height + height) * normal[i]);
     let ray = hit.leaving(mirrored);
     let seen = match scene.nearest(&ray) {
         Some(hit) => lit(scene, &hit),
@@ -58,15 +59,15 @@ fn lit<A: Root>(scene: &Scene<'_, A, impl Points>, hit: &Hit<'_, A, Mirror>) -> 
         let distance = A::sqrt(square);
         let direction = to_light.map(|component| component / distance);
         let away: Vector<A> = core::array::from_fn(|i| hit.point[i] + -light.position[i]);
-        let height = dot(away, light.normal);
-        let size_of = |point: [A::Real; 3]| {
-            dot(point.map(Real::magnitude), light.normal.map(Real::magnitude))
-        };
-        let size = size_of(light.position) + size_of(hit.point);
-        let rounding = size * A::Real::EPSILON * A::Real::FOUR;
+        let normal = light.normal.get();
+        let height = dot(away, normal);
+        let size_of = |v: Vector<A>| dot(v.map(Real::magnitude), normal.map(Real::magnitude));
+        let half_a_step = A::Real::EPSILON * A::Real::HALF;
+        let given = size_of(light.position) * half_a_step + size_of(hit.point) * half_a_step;
+        let rounding = given + size_of(away) * (A::Real::EPSILON * A::Real::TWO);
         let cosine = if height.magnitude() > rounding { height / distance } else { A::Real::ZERO };
         if cosine > A::Real::ZERO || light.two_sided {
-            let facing = cosine.magnitude() / square * dot(direction, hit.normal);
+            let facing = cosine.magnitude() / square * dot(direction, hit.normal.get());
             let visible = facing * A::Real::FRAC_1_PI;
             if visible > A::Real::ZERO && scene.meets(&hit.leaving(direction), distance).is_none() {
                 share = visible;

@@ -9,7 +9,7 @@ use hemidisc::effect::{
     AmbientOcclusion, BelowHorizon, DirectionSample, DiscLight, Glossy, Polygon, ThinLens,
 };
 use hemidisc::sequence::SobolOwen;
-use hemidisc::{Concentric, Density, Error, Frame};
+use hemidisc::{Concentric, Density, Error, Frame, Unit};
 
 const COUNT: u32 = 300;
 
@@ -69,6 +69,7 @@ pub fn effects<A: Root<Real: Digestible>>(lines: &mut dyn FnMut(Arguments)) -> R
     let up = Frame::new([zero, one, zero])?;
     let occlusion = AmbientOcclusion::<A>::new(one)?;
     line("occlusion", digest_of(|digest, uv| take(digest, occlusion.sample(&up, uv))));
+    let along = Unit::new([one, zero, zero])?;
     for (name, below) in [
         ("glossy, reject", BelowHorizon::Reject),
         ("glossy, flip", BelowHorizon::Flip),
@@ -80,7 +81,7 @@ pub fn effects<A: Root<Real: Digestible>>(lines: &mut dyn FnMut(Arguments)) -> R
             name,
             digest_of(|digest, uv| {
                 // Along the surface, so that half of the lobe is below it.
-                if let Some(sample) = glossy.sample([one, zero, zero], [zero, one, zero], uv) {
+                if let Some(sample) = glossy.sample(along, up.unit(), uv) {
                     take(digest, sample);
                 }
             }),

@@ -13,7 +13,7 @@ use crate::tracer::{
 use core::fmt::Arguments;
 use hemidisc::arithmetic::{Real, Root};
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
-use hemidisc::{Error, Frame};
+use hemidisc::{Error, Frame, Unit};
 
 /// Pixels across and down.
 pub const SIZE: [u32; 2] = [64, 48];
@@ -102,8 +102,9 @@ where
 
 const LAMP: [i32; 3] = [-2600, 4600, 2600];
 
-fn point<A: Root>() -> PointLight<A> {
-    PointLight { position: vector(LAMP), normal: vector([0, -1000, 0]), two_sided: false }
+fn point<A: Root>() -> Result<PointLight<A>, Error> {
+    let normal = Unit::new(vector([0, -1000, 0]))?;
+    Ok(PointLight { position: vector(LAMP), normal, two_sided: false })
 }
 
 fn lens<A: Root>() -> Result<ThinLens<Polygon<A, 6>, A::Real>, Error> {
@@ -131,13 +132,13 @@ pub fn plain<A: Root>(visitor: &mut impl Visitor<A>) -> Result<(), Error> {
 /// The same, its types known.
 pub fn with_bare<A: Root>(take: impl FnOnce(bare::Scene<'_, A, Owen>)) -> Result<(), Error> {
     let gloss = [Mirror, Mirror];
-    table(Parts { lens: Pinhole, light: point(), occlusion: Unoccluded, gloss }, take)
+    table(Parts { lens: Pinhole, light: point()?, occlusion: Unoccluded, gloss }, take)
 }
 
 /// The table with depth of field alone.
 pub fn with_lens<A: Root>(visitor: &mut impl Visitor<A>) -> Result<(), Error> {
     let gloss = [Mirror, Mirror];
-    let parts = Parts { lens: lens::<A>()?, light: point(), occlusion: Unoccluded, gloss };
+    let parts = Parts { lens: lens::<A>()?, light: point()?, occlusion: Unoccluded, gloss };
     table(parts, |scene| visitor.scene("lens", scene))
 }
 
@@ -151,7 +152,7 @@ pub fn with_light<A: Root>(visitor: &mut impl Visitor<A>) -> Result<(), Error> {
 /// The table with occlusion alone.
 pub fn with_occlusion<A: Root>(visitor: &mut impl Visitor<A>) -> Result<(), Error> {
     let gloss = [Mirror, Mirror];
-    let parts = Parts { lens: Pinhole, light: point(), occlusion: occlusion()?, gloss };
+    let parts = Parts { lens: Pinhole, light: point()?, occlusion: occlusion()?, gloss };
     table(parts, |scene| visitor.scene("occlusion", scene))
 }
 
@@ -162,7 +163,7 @@ pub fn with_gloss<A: Root>(
     visitor: &mut impl Visitor<A>,
 ) -> Result<(), Error> {
     let gloss = gloss(exponents)?;
-    table(Parts { lens: Pinhole, light: point(), occlusion: Unoccluded, gloss }, |scene| {
+    table(Parts { lens: Pinhole, light: point()?, occlusion: Unoccluded, gloss }, |scene| {
         visitor.scene("glossy", scene)
     })
 }

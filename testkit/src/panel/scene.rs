@@ -66,7 +66,7 @@ impl Objects {
     /// # Errors
     /// None for the values that are here.
     pub fn still_life(&self, size: [u32; 2]) -> Result<StillLife<'_>, Error> {
-        let toward = Frame::normalized::<FastF32>([0.45, -0.75, -0.45])?;
+        let toward = Frame::normalized([0.45, -0.75, -0.45])?;
         Ok(Renderer {
             camera: Camera::new([0.2, 1.7, 5.0], [-0.03, -0.21, -1.0], 0.36, size)?,
             lens: ThinLens::new(Polygon::new(1 << 30), 0.1, 4.9)?,

@@ -3,7 +3,7 @@
 use super::Vector;
 use super::vector::{along, cross, sum, unit};
 use hemidisc::arithmetic::{Arithmetic, Real, Root};
-use hemidisc::{Error, Frame};
+use hemidisc::{Error, Frame, Unit};
 
 /// A half-line; the direction is of unit length.
 #[derive(Clone, Copy, Debug)]
@@ -37,11 +37,11 @@ impl<A: Root> Camera<A> {
         slope: A::Real,
         [width, height]: [u32; 2],
     ) -> Result<Self, Error> {
-        let frame = Frame::normalized::<A>(ahead)?;
+        let frame = Frame::normalized(ahead)?;
         let [across, _, z] = frame.axes();
         let level = cross(z, [A::Real::ZERO, A::Real::ONE, A::Real::ZERO]);
         // If ahead is straight up or down, every direction across is level.
-        let x = Frame::normalized::<A>(level).map_or(across, |frame| frame.axes()[2]);
+        let x = Unit::normalized(level).map_or(across, Unit::get);
         let centre = [width, height].map(|pixels| A::Real::HALF * count(pixels));
         let pixel = slope / centre[1];
         Ok(Self { position, axes: [x, cross(x, z), z], pixel, centre })

@@ -9,7 +9,7 @@ use hemidisc::arithmetic::{Arithmetic, Real, Root};
 use hemidisc::effect::{
     AmbientOcclusion, DirectionSample, DiscLight, Glossy, LensRay, LightSample, ThinLens,
 };
-use hemidisc::{Frame, Invert};
+use hemidisc::{Frame, Invert, Unit};
 
 /// Draws the point of a sample.
 pub trait Draw: FnOnce() -> [u32; 2] {}
@@ -41,7 +41,7 @@ pub trait Ambient<A: Root> {
     /// within a distance.
     fn openness(
         &self,
-        normal: Vector<A>,
+        normal: Unit<A::Real>,
         meets: impl Fn(Vector<A>, A::Real) -> Option<A::Real>,
         draw: impl Draw,
         counts: &mut Counts,
@@ -55,7 +55,7 @@ pub trait Reflection<A: Root> {
     fn sample(
         &self,
         arriving: Vector<A>,
-        normal: Vector<A>,
+        normal: Unit<A::Real>,
         draw: impl Draw,
         counts: &mut Counts,
     ) -> Option<DirectionSample<A::Real>>;
@@ -92,8 +92,8 @@ where
 pub struct PointLight<A: Arithmetic> {
     /// Where it is.
     pub position: [A::Real; 3],
-    /// Of unit length.
-    pub normal: [A::Real; 3],
+    /// Where it shines to.
+    pub normal: Unit<A::Real>,
     /// Whether it shines to the other side too.
     pub two_sided: bool,
 }
@@ -109,12 +109,14 @@ impl<A: Root> Light<A> for PointLight<A> {
         }
         let distance = A::sqrt(square);
         let direction = to_light.map(|component| component / distance);
-        let height = dot(difference(receiver, self.position), self.normal);
-        let size_of =
-            |point: Vector<A>| dot(point.map(Real::magnitude), self.normal.map(Real::magnitude));
-        let size = size_of(self.position) + size_of(receiver);
+        let (normal, above) = (self.normal.get(), difference(receiver, self.position));
+        let height = dot(above, normal);
+        let size_of = |v: Vector<A>| dot(v.map(Real::magnitude), normal.map(Real::magnitude));
         // A receiver whose side rounding decides is in the light's plane.
-        let beside = height.magnitude() > size * A::Real::EPSILON * A::Real::FOUR;
+        let half_a_step = A::Real::EPSILON * A::Real::HALF;
+        let given = size_of(self.position) * half_a_step + size_of(receiver) * half_a_step;
+        let lost = size_of(above) * (A::Real::EPSILON * A::Real::TWO);
+        let beside = height.magnitude() > given + lost;
         let cosine = if beside { height / distance } else { A::Real::ZERO };
         let shines = cosine > A::Real::ZERO || self.two_sided;
         let weight = if shines { cosine.magnitude() / square } else { A::Real::ZERO };
@@ -156,7 +158,7 @@ impl<A: Root> Ambient<A> for Unoccluded {
     #[inline]
     fn openness(
         &self,
-        _: Vector<A>,
+        _: Unit<A::Real>,
         _: impl Fn(Vector<A>, A::Real) -> Option<A::Real>,
         _: impl Draw,
         _: &mut Counts,
@@ -169,16 +171,14 @@ impl<A: Root> Ambient<A> for AmbientOcclusion<A> {
     #[inline]
     fn openness(
         &self,
-        normal: Vector<A>,
+        normal: Unit<A::Real>,
         meets: impl Fn(Vector<A>, A::Real) -> Option<A::Real>,
         draw: impl Draw,
         counts: &mut Counts,
     ) -> A::Real {
-        // An invalid normal has no directions about it.
-        let Ok(frame) = Frame::normalized::<A>(normal) else { return A::Real::ONE };
         counts.occlusion.draw();
         counts.occlusion.send();
-        let sample = self.sample(&frame, draw());
+        let sample = self.sample(&Frame::from(normal), draw());
         sample.weight * Self::openness(self, meets(sample.direction, self.reach()))
     }
 }
@@ -192,11 +192,12 @@ impl<A: Root> Reflection<A> for Mirror {
     fn sample(
         &self,
         arriving: Vector<A>,
-        normal: Vector<A>,
+        normal: Unit<A::Real>,
         _: impl Draw,
         counts: &mut Counts,
     ) -> Option<DirectionSample<A::Real>> {
         counts.base.send();
+        let normal = normal.get();
         let cosine = dot(arriving, normal);
         let direction = along(arriving, -(cosine + cosine), normal);
         let mut sample = DirectionSample::default();
@@ -211,10 +212,11 @@ impl<A: Root> Reflection<A> for Glossy<A> {
     fn sample(
         &self,
         arriving: Vector<A>,
-        normal: Vector<A>,
+        normal: Unit<A::Real>,
         draw: impl Draw,
         counts: &mut Counts,
     ) -> Option<DirectionSample<A::Real>> {
+        let arriving = Unit::normalized(arriving).ok()?;
         counts.glossy.draw();
         let sample = Glossy::sample(self, arriving, normal, draw());
         counts.glossy.rays += u64::from(sample.is_some());

@@ -2,8 +2,8 @@
 
 use super::vector::{along, difference, dot, unit};
 use super::{Ray, Vector};
-use hemidisc::Frame;
 use hemidisc::arithmetic::{Arithmetic, Real, Root};
+use hemidisc::{Frame, Unit};
 
 /// How a surface shines.
 #[derive(Clone, Copy, Debug)]
@@ -65,9 +65,8 @@ pub struct Plane<A: Arithmetic, G> {
 pub struct Hit<'a, A: Arithmetic, G> {
     /// On the surface.
     pub point: [A::Real; 3],
-    /// Of unit length, but for a sphere so small that squares lose its radius; on the side that the
-    /// ray comes from.
-    pub normal: [A::Real; 3],
+    /// On the side that the ray comes from.
+    pub normal: Unit<A::Real>,
     /// Reflectance of the diffuse part here.
     pub albedo: [A::Real; 3],
     /// What the surface is made of.
@@ -96,17 +95,20 @@ impl<A: Root, G> Sphere<A, G> {
         }
     }
 
-    /// What a ray meets at a distance along it.
+    /// What a ray meets at a distance along it. Nothing, where rounding puts it at the centre of a
+    /// sphere too small for that.
     #[inline]
-    pub fn hit(&self, ray: &Ray<A>, distance: A::Real) -> Hit<'_, A, G> {
+    pub fn hit(&self, ray: &Ray<A>, distance: A::Real) -> Option<Hit<'_, A, G>> {
+        // A radius so small that squares lose it takes the longer way.
         let outward = unit::<A>(difference(ray.at(distance), self.centre));
-        Hit {
+        let outward = Unit::normalized(outward).ok()?;
+        Some(Hit {
             // On the sphere, not only near it.
-            point: along(self.centre, self.radius, outward),
+            point: along(self.centre, self.radius, outward.get()),
             normal: facing(outward, ray.direction),
             albedo: self.material.albedo,
             material: &self.material,
-        }
+        })
     }
 }
 
@@ -114,7 +116,7 @@ impl<A: Root, G> Plane<A, G> {
     /// The distance along a ray, if there is one.
     #[inline]
     pub fn meets(&self, ray: &Ray<A>) -> Option<A::Real> {
-        let normal = self.frame.axes()[2];
+        let normal = self.frame.unit().get();
         let distance = dot(difference(self.point, ray.origin), normal) / dot(ray.direction, normal);
         (distance > A::Real::ZERO && distance.finite()).then_some(distance)
     }
@@ -127,7 +129,7 @@ impl<A: Root, G> Plane<A, G> {
             Some(checker) if self.odd(point, checker.size) => checker.albedo,
             _ => self.material.albedo,
         };
-        let normal = facing(self.frame.axes()[2], ray.direction);
+        let normal = facing(self.frame.unit(), ray.direction);
         Hit { point, normal, albedo, material: &self.material }
     }
 
@@ -142,6 +144,6 @@ impl<A: Root, G> Plane<A, G> {
 }
 
 #[inline]
-fn facing<R: Real>(normal: [R; 3], arriving: [R; 3]) -> [R; 3] {
-    if dot(normal, arriving) > R::ZERO { normal.map(|component| -component) } else { normal }
+fn facing<R: Real>(normal: Unit<R>, arriving: [R; 3]) -> Unit<R> {
+    if dot(normal.get(), arriving) > R::ZERO { -normal } else { normal }
 }

@@ -101,7 +101,7 @@ where
     /// Emission, direct light and ambient light: all but reflection.
     fn lit(&self, hit: &Hit<'_, A, G>, of: Sample, counts: &mut Counts) -> Vector<A> {
         let light = self.light.sample(hit.point, || of.point(LIGHT, &self.points), counts);
-        let share = light.weight * dot(light.direction, hit.normal) * A::Real::FRAC_1_PI;
+        let share = light.weight * dot(light.direction, hit.normal.get()) * A::Real::FRAC_1_PI;
         let mut arriving = [A::Real::ZERO; 3];
         if share > A::Real::ZERO {
             S::send(counts);
@@ -136,7 +136,7 @@ where
         }
         match (plane, sphere) {
             (Some(plane), _) => Some(plane.hit(ray, limit)),
-            (None, Some(sphere)) => Some(sphere.hit(ray, limit)),
+            (None, Some(sphere)) => sphere.hit(ray, limit),
             (None, None) => None,
         }
     }
@@ -172,6 +172,6 @@ impl<A: Root, G> Hit<'_, A, G> {
     #[inline]
     pub fn leaving(&self, direction: Vector<A>) -> Ray<A> {
         let above = A::sqrt(A::Real::EPSILON);
-        Ray { origin: along(self.point, above, self.normal), direction }
+        Ray { origin: along(self.point, above, self.normal.get()), direction }
     }
 }

@@ -3,7 +3,7 @@
 use super::super::convert::assert_clear;
 use super::super::roots::{eps, nearest, wide};
 use super::{Input, all_finite, frame};
-use crate::arithmetics::Tested;
+use crate::arithmetics::{Exponent, Tested};
 use crate::contract::contract;
 use crate::orthonormal::dot;
 use hemidisc::arithmetic::{Real, Root};
@@ -45,6 +45,10 @@ pub fn occlusion<A: Root<Real: Real> + Tested>(input: &Input) {
             assert_eq!(occlusion.openness(None), A::Real::ONE);
             let hidden = met < reach;
             assert_eq!(occlusion.openness(Some(met)) == A::Real::ZERO, hidden, "{met:?} {reach:?}");
+            let [faded] = wide([occlusion.faded_openness(Some(met))]);
+            assert!((0.0..=1.0).contains(&faded), "{met:?} {reach:?}: {faded}");
+            assert!(hidden || faded == 1.0, "{met:?} {reach:?}: {faded}");
+            assert_eq!(occlusion.faded_openness(None), A::Real::ONE);
         }
         Err(error) => {
             let Error::Distance { value } = error else { panic!("{error}") };
@@ -66,9 +70,32 @@ pub fn refused(input: &Input) {
     });
 }
 
+/// The density of a sample's direction is the sample's.
+///
+/// Turning the direction there and back moves it by an eps or two, which a lobe multiplies by sqrt e
+/// at most where its density counts. A lobe that does not fall off to its horizon, e < 1, has an edge
+/// there: `heights` above it are those of the direction and of its image in the surface.
+fn agrees<A: Root<Real: Real> + Tested>(
+    again: A::Real,
+    sample: DirectionSample<A::Real>,
+    exponent: A::Parameter,
+    heights: [f64; 2],
+    what: &impl Fn() -> String,
+) {
+    let (e, [again, first]) = (exponent.value(), wide([again, sample.density]));
+    const EDGE: f64 = 1e-2;
+    if e < 1.0 && heights.into_iter().any(|height| height.abs() < EDGE) {
+        return;
+    }
+    let contract = contract(A::NAME, "power").unwrap();
+    let eps = (contract.norm * contract.unit).max(eps::<A::Real>());
+    let steep = if e < 0.0 { 1.0 / EDGE } else { e.sqrt().max(1.0) };
+    let room = 64.0 * eps * steep * (e + 1.0) / core::f64::consts::TAU;
+    assert!((again - first).abs() <= room, "{}: {again:e}, not {first:e}", what());
+}
+
 pub fn glossy<A: Root<Real: Real> + Tested>(input: &Input, exponent: A::Parameter) {
-    let [arriving, mut normal] =
-        [input.arriving, input.normal].map(|vector| frame::<A>(vector).axes()[2]);
+    let [arriving, normal] = [input.arriving, input.normal].map(|vector| frame::<A>(vector).unit());
     let of = |below| Glossy::<A>::new(exponent, below).unwrap();
     let sample = |below| of(below).sample(arriving, normal, input.uv);
     let [reject, flip, zero] =
@@ -79,8 +106,20 @@ pub fn glossy<A: Root<Real: Real> + Tested>(input: &Input, exponent: A::Paramete
     for sample in [flip, zero].into_iter().chain(reject) {
         is_sound::<A>(sample, "power", &what);
     }
-    let density = of(input.below).density(arriving, normal, flip.direction).exact();
-    assert!(density >= 0.0 && density.is_finite(), "{}: {density}", what());
+    for (below, sample) in [
+        (BelowHorizon::Reject, reject),
+        (BelowHorizon::Flip, Some(flip)),
+        (BelowHorizon::Zero, Some(zero)),
+    ] {
+        let Some(sample) = sample else { continue };
+        let again = of(below).density(arriving, normal, sample.direction);
+        let [a, n, d] = [arriving.get(), normal.get(), sample.direction].map(wide);
+        // The height above the lobe's horizon is d (a - 2 (a n) n), and the image is d - 2 (d n) n.
+        let (along, image) = (dot(a, d), 2.0 * dot(a, n) * dot(d, n));
+        agrees::<A>(again, sample, exponent, [along - image, along], &what);
+    }
+    let share = of(input.below).kept_share(arriving, normal).exact();
+    assert!((0.5..=1.0).contains(&share), "{}: {share}", what());
     let anything = nearest::<A, 3>(input.receiver.map(|x| if x.abs() <= 1.0 { x } else { 1.0 }));
     let density = of(input.below).density(arriving, normal, anything).exact();
     assert!(density >= 0.0 && density.is_finite(), "{}: {density}", what());
@@ -89,6 +128,7 @@ pub fn glossy<A: Root<Real: Real> + Tested>(input: &Input, exponent: A::Paramete
     assert!(reject.is_none_or(|sample| sample == zero), "{}", what());
     assert_eq!(flip.weight, A::Real::ONE, "{}", what());
     assert!(flip.density >= zero.density, "{}", what());
+    let (arriving, mut normal) = (arriving.get(), normal.get());
     // On the side that the light comes from, which rounding decides along the surface.
     let [x, y, z] = [0, 1, 2].map(|i| arriving[i] * normal[i]);
     if x + y + z > A::Real::ZERO {

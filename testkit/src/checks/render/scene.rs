@@ -12,7 +12,7 @@ use crate::tracer::{
 use arbitrary::Arbitrary;
 use hemidisc::arithmetic::{Real, Root};
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, Glossy, LensRay, Polygon, ThinLens};
-use hemidisc::{Concentric, Error, Frame};
+use hemidisc::{Concentric, Error, Frame, Unit};
 
 #[derive(Arbitrary, Debug)]
 pub struct Scene {
@@ -94,7 +94,7 @@ pub enum AnyAmbient<A: Root<Real: Real>> {
 impl<A: Root<Real: Real>> Ambient<A> for AnyAmbient<A> {
     fn openness(
         &self,
-        normal: Vector<A>,
+        normal: Unit<A::Real>,
         meets: impl Fn(Vector<A>, A::Real) -> Option<A::Real>,
         draw: impl FnOnce() -> [u32; 2],
         counts: &mut Counts,
@@ -170,7 +170,7 @@ impl Scene {
     }
 
     pub fn lamp<A: Root<Real: Real> + Tested>(&self) -> Result<(Vector<A>, Frame<A::Real>), Error> {
-        let frame = Frame::normalized::<A>(self.place::<A>(self.lamp.toward))?;
+        let frame = Frame::normalized(self.place::<A>(self.lamp.toward))?;
         Ok((self.place::<A>(self.lamp.position), frame))
     }
 
@@ -200,7 +200,7 @@ impl Scene {
     pub fn planes<A: Root<Real: Real> + Tested>(&self) -> Vec<Plane<A, Glossy<A>>> {
         let plane = |wall: Wall| {
             // Without a direction there is no plane.
-            let frame = Frame::normalized::<A>(self.place::<A>(wall.normal)).ok()?;
+            let frame = Frame::normalized(self.place::<A>(wall.normal)).ok()?;
             let checker = wall.squares.map(|size| Checker {
                 albedo: colour::<A>([40, 200, 90]),
                 size: self.length::<A>(size),
