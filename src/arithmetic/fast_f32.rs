@@ -24,10 +24,10 @@
 //! There is no fused multiply-add and no reordered sum: the bits are the same on SSE2, AVX-512, Arm
 //! and RISC-V. Everything up to the exponent is `const`.
 
-mod block;
+mod back;
 mod disc;
 mod functions;
-mod power;
+mod lobes;
 #[cfg(test)]
 mod tests;
 
@@ -35,9 +35,10 @@ use super::{Arithmetic, DiscPoint, KernelOf, Root, sealed::Sealed};
 use crate::block::{Block, Lanes};
 use crate::error::Error;
 use crate::target::BRANCHES;
+use back::Functions;
 use disc::FastDisc;
-use functions::Functions;
-use power::FastExponent;
+use functions::normal_sqrt;
+use lobes::FastExponent;
 
 /// `f32` with its own polynomials: the fastest on a core with an FPU, above all in vectors.
 ///
@@ -130,7 +131,7 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn disc_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 2]) {
-        block::disc::<D>(u, v, out);
+        disc::passes::<D>(u, v, out);
     }
 
     /// sin^2 theta = 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)).
@@ -143,18 +144,18 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn uniform_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 3]) {
-        block::uniform::<D>(u, v, out);
+        lobes::uniform_passes::<D>(u, v, out);
     }
 
     #[inline(always)]
     fn cosine(disc: FastDisc) -> [f32; 3] {
         let [x, y] = disc.point;
-        [x, y, functions::normal_sqrt(disc.one_minus_r2)]
+        [x, y, normal_sqrt(disc.one_minus_r2)]
     }
 
     #[inline(always)]
     fn cosine_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 3]) {
-        block::cosine::<D>(u, v, out);
+        lobes::cosine_passes::<D>(u, v, out);
     }
 
     fn exponent(e: f32) -> Result<FastExponent, Error> {
@@ -167,7 +168,7 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
-        power::lift(exponent, disc)
+        lobes::power(exponent, disc)
     }
 
     #[inline(always)]
@@ -177,6 +178,6 @@ impl Arithmetic for FastF32 {
         v: &Block,
         out: &mut [Lanes<f32>; 3],
     ) {
-        block::power::<D>(exponent, u, v, out);
+        lobes::power_passes::<D>(exponent, u, v, out);
     }
 }

@@ -8,7 +8,7 @@
 use super::Sequence;
 use super::walk::{block_in_order, indices, is_inside};
 use crate::bits::grid::{Grid, grid_getters};
-use crate::bits::modulo::repeat;
+use super::walk::repeat;
 use crate::bits::{
     hash::{Jitter, key},
     permute::{permute, permute_block},

@@ -6,7 +6,8 @@
 
 use super::Sequence;
 use super::walk::{Walk, block_in_order, walks};
-use crate::bits::{reversed::Reversed, wide::high};
+use super::walk::Reversed;
+use crate::bits::wide::high;
 use crate::block::Block;
 use crate::target::HALVES;
 

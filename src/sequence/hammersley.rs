@@ -3,8 +3,9 @@
 
 use super::walk::{Walk, walks};
 use super::{Sequence, not_empty};
-use crate::bits::modulo::repeat;
-use crate::bits::{reversed::Reversed, strata::Strata};
+use super::walk::repeat;
+use super::walk::Reversed;
+use crate::bits::strata::Strata;
 use crate::error::Error;
 
 /// The N-point Hammersley set: u = ceil(2^32 i / N), v = i with its bits reversed.

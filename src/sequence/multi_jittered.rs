@@ -8,7 +8,7 @@
 use super::Sequence;
 use super::walk::{Walk, block_in_order, is_inside, walks};
 use crate::bits::grid::{Grid, grid_getters};
-use crate::bits::modulo::repeat;
+use super::walk::repeat;
 use crate::bits::{
     hash::{Jitter, key, mix},
     permute::{permute, permute_each},

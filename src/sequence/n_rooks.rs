@@ -3,7 +3,7 @@
 
 use super::walk::{Walk, block_in_order, indices, is_inside, walks};
 use super::{Sequence, not_empty};
-use crate::bits::modulo::repeat;
+use super::walk::repeat;
 use crate::bits::{
     hash::{Jitter, key},
     permute::{permute, permute_block},

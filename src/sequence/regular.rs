@@ -6,7 +6,7 @@
 use super::Sequence;
 use super::walk::{Walk, block_in_order, walks};
 use crate::bits::grid::{Grid, grid_getters};
-use crate::bits::modulo::repeat;
+use super::walk::repeat;
 use crate::bits::strata::Strata;
 use crate::block::Block;
 use crate::error::Error;

@@ -63,16 +63,6 @@ const fn pascal(mut x: u32) -> u32 {
     x ^ (x << 16)
 }
 
-/// [`pascal`] in the reversed-bit domain: `pascal_reversed(i)` is `pascal(i.reverse_bits())` with
-/// its bits reversed.
-pub(super) const fn pascal_reversed(mut x: u32) -> u32 {
-    x ^= x >> 1 & 0x5555_5555;
-    x ^= x >> 2 & 0x3333_3333;
-    x ^= x >> 4 & 0x0f0f_0f0f;
-    x ^= x >> 8 & 0x00ff_00ff;
-    x ^ (x >> 16)
-}
-
 /// The first 64 points: xor with the first point of a block gives the rest of it.
 const OFFSETS: [Block; 2] = {
     let mut offsets = [[0; BLOCK]; 2];

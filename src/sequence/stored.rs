@@ -1,8 +1,8 @@
 //! Points that the caller has stored: recorded, random, or a table in flash.
 
 use super::walk::block_in_order;
+use super::walk::repeat;
 use super::{Sequence, looked_up};
-use crate::bits::modulo::repeat;
 use crate::block::{BLOCK, Block};
 use crate::error::Error;
 
