@@ -78,6 +78,38 @@ impl FastF32 {
     }
 }
 
+/// The kernels, as `const` functions.
+impl FastF32 {
+    #[inline(always)]
+    pub(crate) const fn disc_concentric(uv: [u32; 2]) -> FastDisc {
+        disc::concentric::<BRANCHES>(uv)
+    }
+
+    #[inline(always)]
+    pub(crate) const fn disc_polar(uv: [u32; 2]) -> FastDisc {
+        disc::polar::<BRANCHES>(uv)
+    }
+
+    /// sin^2 theta = 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)).
+    #[inline(always)]
+    pub(crate) const fn lift_uniform(disc: FastDisc) -> [f32; 3] {
+        let sin = disc::root_to_1(disc.r2 * (1.0 + disc.one_minus_r2));
+        let [x, y] = disc.place_at::<BRANCHES>(sin);
+        [x, y, disc.one_minus_r2]
+    }
+
+    #[inline(always)]
+    pub(crate) const fn lift_cosine(disc: FastDisc) -> [f32; 3] {
+        let [x, y] = disc.point;
+        [x, y, normal_sqrt(disc.one_minus_r2)]
+    }
+
+    #[inline(always)]
+    pub(crate) const fn lift_power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
+        lobes::power(exponent, disc)
+    }
+}
+
 impl Sealed for FastF32 {}
 
 impl Root for FastF32 {
@@ -116,12 +148,12 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn concentric(uv: [u32; 2]) -> FastDisc {
-        disc::concentric::<BRANCHES>(uv)
+        Self::disc_concentric(uv)
     }
 
     #[inline(always)]
     fn polar(uv: [u32; 2]) -> FastDisc {
-        disc::polar::<BRANCHES>(uv)
+        Self::disc_polar(uv)
     }
 
     #[inline(always)]
@@ -134,12 +166,9 @@ impl Arithmetic for FastF32 {
         disc::passes::<D>(u, v, out);
     }
 
-    /// sin^2 theta = 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)).
     #[inline(always)]
     fn uniform(disc: FastDisc) -> [f32; 3] {
-        let [x, y] =
-            disc.place_at::<BRANCHES>(disc::root_to_1(disc.r2 * (1.0 + disc.one_minus_r2)));
-        [x, y, disc.one_minus_r2]
+        Self::lift_uniform(disc)
     }
 
     #[inline(always)]
@@ -149,8 +178,7 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn cosine(disc: FastDisc) -> [f32; 3] {
-        let [x, y] = disc.point;
-        [x, y, normal_sqrt(disc.one_minus_r2)]
+        Self::lift_cosine(disc)
     }
 
     #[inline(always)]
@@ -168,7 +196,7 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
-        lobes::power(exponent, disc)
+        Self::lift_power(exponent, disc)
     }
 
     #[inline(always)]

@@ -32,6 +32,12 @@ impl Halton {
         Self
     }
 
+    /// How many points there are: `None`, for it is endless.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        None
+    }
+
     /// The point of any index.
     #[must_use]
     #[inline]
@@ -124,7 +130,7 @@ fn after(cell: u32) -> u32 {
 
 impl Sequence for Halton {
     fn size(&self) -> Option<u32> {
-        None
+        Self::size(self)
     }
 
     #[inline(always)]

@@ -40,6 +40,12 @@ impl Hammersley {
         self.strata.count()
     }
 
+    /// How many points there are.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        Some(self.strata.count())
+    }
+
     /// The point of any index; the set repeats after `count` points.
     #[must_use]
     #[inline]
@@ -51,7 +57,7 @@ impl Hammersley {
 
 impl Sequence for Hammersley {
     fn size(&self) -> Option<u32> {
-        Some(self.strata.count())
+        Self::size(self)
     }
 
     #[inline(always)]

@@ -37,6 +37,12 @@ impl Sobol {
         unmix(self.shift[0])
     }
 
+    /// How many points there are: `None`, for it is endless.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        None
+    }
+
     /// The point of any index.
     #[must_use]
     #[inline]
@@ -89,7 +95,7 @@ const FIRST: [[u32; 2]; FEW] = {
 
 impl Sequence for Sobol {
     fn size(&self) -> Option<u32> {
-        None
+        Self::size(self)
     }
 
     #[inline(always)]

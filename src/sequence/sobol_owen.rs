@@ -48,6 +48,12 @@ impl SobolOwen {
         Domain::of_keys([self.order, self.axes[0]])
     }
 
+    /// How many points there are: `None`, for it is endless.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        None
+    }
+
     /// The point of any index.
     #[must_use]
     #[inline]
@@ -131,7 +137,7 @@ const fn pascal_reversed(mut x: u32) -> u32 {
 
 impl Sequence for SobolOwen {
     fn size(&self) -> Option<u32> {
-        None
+        Self::size(self)
     }
 
     #[inline(always)]

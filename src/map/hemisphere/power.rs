@@ -19,6 +19,10 @@ impl<A: Arithmetic> PowerLobe<A> {
         Ok(Self { exponent: A::exponent(exponent)? })
     }
 
+    pub(crate) const fn prepared(&self) -> A::Exponent {
+        self.exponent
+    }
+
     pub(super) fn exponent(&self) -> A::Parameter {
         A::given(self.exponent)
     }
