@@ -2,9 +2,7 @@
 
 pub(crate) mod grid;
 pub mod hash;
-pub(crate) mod modulo;
 pub mod owen;
 pub mod permute;
-pub(crate) mod reversed;
 pub(crate) mod strata;
 pub(crate) mod wide;

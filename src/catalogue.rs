@@ -49,13 +49,6 @@ pub trait ArithmeticVisitor {
     fn visit<A: Arithmetic>(&mut self);
 }
 
-/// Columns and rows of the grid that holds `count` points: floor(sqrt count) columns.
-#[must_use]
-pub const fn grid(count: u32) -> [u32; 2] {
-    let columns = count.isqrt();
-    [columns, if columns == 0 { 0 } else { count.div_ceil(columns) }]
-}
-
 /// What the constructors of sequences take.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameters {
@@ -72,9 +65,9 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// For sets of `count` points, in grids of [`grid`]`(count)`.
+    /// For sets of `count` points, in grids of [`sequence::grid`]`(count)`.
     pub const fn new(count: u32, seed: u32) -> Self {
-        let [columns, rows] = grid(count);
+        let [columns, rows] = sequence::grid(count);
         Self { columns, rows, count, seed, domain: Domain::new(seed) }
     }
 }
@@ -93,7 +86,17 @@ macro_rules! sequences {
             seed: u32,
             visitor: &mut impl SequenceVisitor,
         ) -> Result<(), Error> {
-            let parameters = Parameters::new(count, seed);
+            sequences_of(Parameters::new(count, seed), visitor)
+        }
+
+        /// Visits every sequence, each made of the parameters that it takes.
+        ///
+        /// # Errors
+        /// [`Error::EmptyGrid`] and [`Error::SetTooLarge`] as the constructors.
+        pub fn sequences_of(
+            parameters: Parameters,
+            visitor: &mut impl SequenceVisitor,
+        ) -> Result<(), Error> {
             $(
                 let made = sequence::$sequence::$new($(parameters.$part),*);
                 visitor.visit($name, made_by!($kind made));

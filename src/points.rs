@@ -5,21 +5,19 @@
 //! 64, one array a component, then the rest. Where blocks do not pay (`target.rs`) it takes all
 //! points one by one. The bits are the same.
 
-use crate::block::{BLOCK, Point};
+use crate::block::{BLOCK, Block, Lanes, Point};
 use crate::error::Error;
 use crate::map::Map;
 use crate::sequence::Sequence;
 use crate::target::BLOCKED;
 use core::iter::FusedIterator;
-use core::ops::{Bound, RangeBounds};
-use slots::{Apart, Slots};
 
 mod chunks;
-mod iter;
-mod slots;
+#[cfg(feature = "heapless")]
+mod heapless;
+mod range;
 
 pub use chunks::Chunks;
-pub use iter::Iter;
 
 /// A range of indices of a sequence, mapped.
 ///
@@ -44,74 +42,6 @@ impl<S: Sequence, M: Map> Points<S, M> {
     #[must_use]
     pub fn new(sequence: S, map: M) -> Self {
         Self { sequence, map, start: 0, len: sequence.size().unwrap_or(u32::MAX) }
-    }
-
-    /// The points of a range of indices of `sequence`. Only this constructor reaches index
-    /// `u32::MAX`.
-    ///
-    /// An unbounded end is the end of the set.
-    ///
-    /// # Errors
-    /// [`Error::Range`] if the range is not within the set, or has 2^32 points.
-    ///
-    /// ```
-    /// use hemidisc::{Concentric, LibmF32, Points, sequence::Sobol};
-    /// let map = Concentric::<LibmF32>::new();
-    /// let last = Points::with_range(Sobol::new(0), map, u32::MAX - 3..=u32::MAX)?;
-    /// assert_eq!(last.len(), 4);
-    /// # Ok::<(), hemidisc::Error>(())
-    /// ```
-    pub fn with_range(sequence: S, map: M, range: impl RangeBounds<u32>) -> Result<Self, Error> {
-        let (start, len) = resolve(range, sequence.size().map_or(1 << 32, u64::from))?;
-        Ok(Self { sequence, map, start, len })
-    }
-
-    /// The points of a range of this set, counted from its first.
-    ///
-    /// # Errors
-    /// [`Error::Range`] if it is not within this set.
-    ///
-    /// ```
-    /// use hemidisc::{Concentric, LibmF32, Points, sequence::Sobol};
-    /// let lens = Points::new(Sobol::new(0), Concentric::<LibmF32>::new());
-    /// let second = lens.range(64..128)?;
-    /// assert_eq!(second.get(0), lens.get(64));
-    /// # Ok::<(), hemidisc::Error>(())
-    /// ```
-    pub fn range(self, range: impl RangeBounds<u32>) -> Result<Self, Error> {
-        let (start, len) = resolve(range, self.len.into())?;
-        Ok(Self { start: self.start.wrapping_add(start), len, ..self })
-    }
-
-    /// The first `count` points.
-    ///
-    /// # Errors
-    /// [`Error::Range`] if there are fewer.
-    pub fn take(self, count: u32) -> Result<Self, Error> {
-        self.range(..count)
-    }
-
-    /// The points before and from `middle`.
-    ///
-    /// # Errors
-    /// [`Error::Range`] if `middle` exceeds the length.
-    pub fn split_at(self, middle: u32) -> Result<(Self, Self), Error> {
-        let before = self.range(..middle)?;
-        let after = self.range(middle..)?;
-        Ok((before, after))
-    }
-
-    /// The `shard`-th, counted from 0, of `of` consecutive parts whose lengths differ by at most 1.
-    ///
-    /// # Errors
-    /// [`Error::Shard`] unless `shard` < `of`.
-    pub fn shard(self, shard: u32, of: u32) -> Result<Self, Error> {
-        if shard >= of {
-            return Err(Error::Shard { shard, of });
-        }
-        // Fits in a `u32`, because shard + 1 <= of.
-        let edge = |k: u64| (u64::from(self.len) * k / u64::from(of)) as u32;
-        self.range(edge(shard.into())..edge(u64::from(shard) + 1))
     }
 
     /// The index, in the sequence, of the first point.
@@ -266,64 +196,6 @@ impl<S: Sequence, M: Map> Points<S, M> {
     }
 }
 
-/// Start and length of a range within a set of `len` points.
-fn resolve(range: impl RangeBounds<u32>, len: u64) -> Result<(u32, u32), Error> {
-    let start = match range.start_bound() {
-        Bound::Included(start) => u64::from(*start),
-        Bound::Excluded(before) => u64::from(*before) + 1,
-        Bound::Unbounded => 0,
-    };
-    let end = match range.end_bound() {
-        Bound::Included(last) => u64::from(*last) + 1,
-        Bound::Excluded(end) => u64::from(*end),
-        // As many as there are, or as `Points` counts.
-        Bound::Unbounded => len.min(start + u64::from(u32::MAX)).max(start),
-    };
-    let Some(count) = end.checked_sub(start) else {
-        return Err(Error::ReversedRange { start, end });
-    };
-    match (u32::try_from(start), u32::try_from(count)) {
-        (Ok(start), Ok(count)) if end <= len => Ok((start, count)),
-        _ => Err(Error::Range { start, count, len }),
-    }
-}
-
-/// Filling `heapless` vectors, which cannot panic on a short capacity.
-#[cfg(feature = "heapless")]
-impl<S: Sequence, M: Map> Points<S, M> {
-    /// Appends points until the set or the vector's capacity ends; returns how many.
-    ///
-    /// ```
-    /// use hemidisc::{Concentric, LibmF32, Points, sequence::R2};
-    /// let lens = Points::new(R2::new(0), Concentric::<LibmF32>::new());
-    /// let mut buffer: heapless::Vec<[f32; 2], 16> = heapless::Vec::new();
-    /// assert_eq!(lens.extend_heapless(&mut buffer), 16);
-    /// ```
-    pub fn extend_heapless<const N: usize>(&self, vec: &mut heapless::Vec<M::Point, N>) -> usize {
-        let before = vec.len();
-        for point in self.iter().take(vec.capacity() - before) {
-            // There is room, so nothing is refused.
-            if vec.push(point).is_err() {
-                break;
-            }
-        }
-        vec.len() - before
-    }
-
-    /// The whole set in a vector of capacity `N`.
-    ///
-    /// # Errors
-    /// [`Error::Capacity`] if the set is larger than `N`.
-    pub fn to_heapless<const N: usize>(&self) -> Result<heapless::Vec<M::Point, N>, Error> {
-        if self.len as usize > N {
-            return Err(Error::Capacity { len: self.len, capacity: N });
-        }
-        let mut vec = heapless::Vec::new();
-        self.extend_heapless(&mut vec);
-        Ok(vec)
-    }
-}
-
 impl<S: Sequence, M: Map> IntoIterator for Points<S, M> {
     type Item = M::Point;
     type IntoIter = Iter<S, M>;
@@ -339,5 +211,203 @@ impl<S: Sequence, M: Map> IntoIterator for &Points<S, M> {
 
     fn into_iter(self) -> Iter<S, M> {
         self.iter()
+    }
+}
+
+/// An iterator over points: exact-size, double-ended, fused, with O(1) `nth` from both ends.
+#[derive(Clone, Debug)]
+#[must_use = "iterators are lazy and do nothing unless consumed"]
+pub struct Iter<S, M> {
+    points: Points<S, M>,
+}
+
+impl<S: Sequence, M: Map> Iter<S, M> {
+    /// The points that are left.
+    #[must_use]
+    pub const fn as_points(&self) -> Points<S, M> {
+        self.points
+    }
+
+    /// Drops `count` points from the front; empties the iterator if there are not as many.
+    #[inline]
+    fn drop_front(&mut self, count: usize) {
+        let count = count.min(self.points.len as usize) as u32;
+        self.points.start = self.points.start.wrapping_add(count);
+        self.points.len -= count;
+    }
+}
+
+impl<S: Sequence, M: Map> Iterator for Iter<S, M> {
+    type Item = M::Point;
+
+    #[inline]
+    fn next(&mut self) -> Option<M::Point> {
+        let point = self.points.get(0)?;
+        self.drop_front(1);
+        Some(point)
+    }
+
+    #[inline]
+    fn nth(&mut self, n: usize) -> Option<M::Point> {
+        self.drop_front(n);
+        self.next()
+    }
+
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let len = self.points.len as usize;
+        (len, Some(len))
+    }
+
+    #[inline]
+    fn count(self) -> usize {
+        self.points.len as usize
+    }
+
+    #[inline]
+    fn last(mut self) -> Option<M::Point> {
+        self.next_back()
+    }
+
+    #[inline]
+    fn fold<B, F: FnMut(B, M::Point) -> B>(self, init: B, mut f: F) -> B {
+        let Points { sequence, map, start, len } = self.points;
+        let coordinates = sequence.iter(start).take(len as usize);
+        coordinates.fold(init, |sum, uv| f(sum, map.sample(uv)))
+    }
+}
+
+impl<S: Sequence, M: Map> DoubleEndedIterator for Iter<S, M> {
+    #[inline]
+    fn next_back(&mut self) -> Option<M::Point> {
+        let last = self.points.len.checked_sub(1)?;
+        let point = self.points.get(last)?;
+        self.points.len = last;
+        Some(point)
+    }
+
+    #[inline]
+    fn nth_back(&mut self, n: usize) -> Option<M::Point> {
+        self.points.len -= n.min(self.points.len as usize) as u32;
+        self.next_back()
+    }
+}
+
+impl<S: Sequence, M: Map> ExactSizeIterator for Iter<S, M> {}
+impl<S: Sequence, M: Map> FusedIterator for Iter<S, M> {}
+
+/// The caller's memory for points.
+trait Slots<P: Point>: Sized {
+    /// The first `count` slots, and those after them.
+    fn split(self, count: usize) -> (Self, Self);
+
+    /// Stores the points of a sequence from an index on, one by one.
+    fn fill_singly<S: Sequence, M: Map<Point = P>>(
+        self,
+        count: usize,
+        sequence: &S,
+        start: u32,
+        map: &M,
+    );
+
+    /// Stores the points of a block of coordinates: the `index`-th block of these slots.
+    /// `components` is memory for them.
+    fn fill_block<M: Map<Point = P>>(
+        &mut self,
+        index: usize,
+        u: &Block,
+        v: &Block,
+        map: &M,
+        components: &mut P::Components,
+    );
+}
+
+impl<P: Point> Slots<P> for &mut [P] {
+    #[inline(always)]
+    fn split(self, count: usize) -> (Self, Self) {
+        self.split_at_mut(count.min(self.len()))
+    }
+
+    #[inline(always)]
+    fn fill_singly<S: Sequence, M: Map<Point = P>>(
+        self,
+        _: usize,
+        sequence: &S,
+        start: u32,
+        map: &M,
+    ) {
+        sequence.fill_with(start, self, |uv| map.sample(uv));
+    }
+
+    #[inline(always)]
+    fn fill_block<M: Map<Point = P>>(
+        &mut self,
+        index: usize,
+        u: &Block,
+        v: &Block,
+        map: &M,
+        components: &mut P::Components,
+    ) {
+        let Some(block) = self.as_chunks_mut::<BLOCK>().0.get_mut(index) else { return };
+        if M::POINTWISE {
+            for (slot, (u, v)) in block.iter_mut().zip(u.iter().zip(v)) {
+                map.sample([*u, *v]).store(slot);
+            }
+        } else {
+            map.sample_block(u, v, components);
+            P::interleave(components, block);
+        }
+    }
+}
+
+/// A buffer for each component, each as long as there are slots, or longer.
+struct Apart<'a, R, const D: usize>([&'a mut [R]; D]);
+
+impl<R: Copy + Default, const D: usize> Slots<[R; D]> for Apart<'_, R, D> {
+    #[inline(always)]
+    fn split(self, count: usize) -> (Self, Self) {
+        let mut after = [const { None }; D];
+        let mut before = self.0.map(Some);
+        for (before, after) in before.iter_mut().zip(&mut after) {
+            if let Some(buffer) = before.take() {
+                let (first, rest) = buffer.split_at_mut(count.min(buffer.len()));
+                (*before, *after) = (Some(first), Some(rest));
+            }
+        }
+        (Self(before.map(Option::unwrap_or_default)), Self(after.map(Option::unwrap_or_default)))
+    }
+
+    #[inline(always)]
+    fn fill_singly<S: Sequence, M: Map<Point = [R; D]>>(
+        mut self,
+        count: usize,
+        sequence: &S,
+        start: u32,
+        map: &M,
+    ) {
+        for (index, uv) in sequence.iter(start).take(count).enumerate() {
+            for (buffer, value) in self.0.iter_mut().zip(map.sample(uv)) {
+                if let Some(slot) = buffer.get_mut(index) {
+                    *slot = value;
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn fill_block<M: Map<Point = [R; D]>>(
+        &mut self,
+        index: usize,
+        u: &Block,
+        v: &Block,
+        map: &M,
+        components: &mut [Lanes<R>; D],
+    ) {
+        map.sample_block(u, v, components);
+        for (buffer, lanes) in self.0.iter_mut().zip(&*components) {
+            if let Some(block) = buffer.as_chunks_mut::<BLOCK>().0.get_mut(index) {
+                *block = *lanes;
+            }
+        }
     }
 }

@@ -78,6 +78,32 @@ pub trait Sequence: Copy {
     }
 }
 
+/// Columns and rows of the grid of exactly `count` points that is nearest to a square: the fewer
+/// columns, 4 x 8 for 32.
+///
+/// A set of a grid keeps its promise only as a whole, so a grid must have as many points as are
+/// drawn. A prime count has a single column. For a `count` of 0 both are 0, which sets refuse.
+///
+/// ```
+/// use hemidisc::sequence::{MultiJittered, grid};
+/// let [columns, rows] = grid(32);
+/// assert_eq!([columns, rows], [4, 8]);
+/// let pixel = MultiJittered::new(columns, rows, 7)?;
+/// assert_eq!(grid(7), [1, 7]);
+/// # Ok::<(), hemidisc::Error>(())
+/// ```
+#[must_use]
+pub const fn grid(count: u32) -> [u32; 2] {
+    let mut columns = count.isqrt();
+    while columns > 1 && !count.is_multiple_of(columns) {
+        columns -= 1;
+    }
+    match count.checked_div(columns) {
+        Some(rows) => [columns, rows],
+        None => [0, 0],
+    }
+}
+
 /// The points from an index on, each by its index.
 #[inline(always)]
 fn looked_up<S: Sequence>(sequence: S, start: u32) -> impl Iterator<Item = [u32; 2]> {

@@ -25,7 +25,7 @@ impl Sequence {
 
     /// The points of a pixel of so many samples.
     pub const fn points(self, samples: u32) -> Drawn {
-        Drawn { sequence: self, grid: hemidisc::catalogue::grid(samples) }
+        Drawn { sequence: self, grid: hemidisc::sequence::grid(samples) }
     }
 }
 

@@ -24,10 +24,10 @@
 //! There is no fused multiply-add and no reordered sum: the bits are the same on SSE2, AVX-512, Arm
 //! and RISC-V. Everything up to the exponent is `const`.
 
-mod block;
+mod back;
 mod disc;
 mod functions;
-mod power;
+mod lobes;
 #[cfg(test)]
 mod tests;
 
@@ -35,9 +35,10 @@ use super::{Arithmetic, DiscPoint, KernelOf, Root, sealed::Sealed};
 use crate::block::{Block, Lanes};
 use crate::error::Error;
 use crate::target::BRANCHES;
+use back::Functions;
 use disc::FastDisc;
-use functions::Functions;
-use power::FastExponent;
+use functions::normal_sqrt;
+use lobes::FastExponent;
 
 /// `f32` with its own polynomials: the fastest on a core with an FPU, above all in vectors.
 ///
@@ -74,6 +75,38 @@ impl FastF32 {
     #[inline]
     pub const fn sqrt(x: f32) -> f32 {
         functions::sqrt(x)
+    }
+}
+
+/// The kernels, as `const` functions.
+impl FastF32 {
+    #[inline(always)]
+    pub(crate) const fn disc_concentric(uv: [u32; 2]) -> FastDisc {
+        disc::concentric::<BRANCHES>(uv)
+    }
+
+    #[inline(always)]
+    pub(crate) const fn disc_polar(uv: [u32; 2]) -> FastDisc {
+        disc::polar::<BRANCHES>(uv)
+    }
+
+    /// sin^2 theta = 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)).
+    #[inline(always)]
+    pub(crate) const fn lift_uniform(disc: FastDisc) -> [f32; 3] {
+        let sin = disc::root_to_1(disc.r2 * (1.0 + disc.one_minus_r2));
+        let [x, y] = disc.place_at::<BRANCHES>(sin);
+        [x, y, disc.one_minus_r2]
+    }
+
+    #[inline(always)]
+    pub(crate) const fn lift_cosine(disc: FastDisc) -> [f32; 3] {
+        let [x, y] = disc.point;
+        [x, y, normal_sqrt(disc.one_minus_r2)]
+    }
+
+    #[inline(always)]
+    pub(crate) const fn lift_power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
+        lobes::power(exponent, disc)
     }
 }
 
@@ -115,12 +148,12 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn concentric(uv: [u32; 2]) -> FastDisc {
-        disc::concentric::<BRANCHES>(uv)
+        Self::disc_concentric(uv)
     }
 
     #[inline(always)]
     fn polar(uv: [u32; 2]) -> FastDisc {
-        disc::polar::<BRANCHES>(uv)
+        Self::disc_polar(uv)
     }
 
     #[inline(always)]
@@ -130,31 +163,27 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn disc_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 2]) {
-        block::disc::<D>(u, v, out);
+        disc::passes::<D>(u, v, out);
     }
 
-    /// sin^2 theta = 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)).
     #[inline(always)]
     fn uniform(disc: FastDisc) -> [f32; 3] {
-        let [x, y] =
-            disc.place_at::<BRANCHES>(disc::root_to_1(disc.r2 * (1.0 + disc.one_minus_r2)));
-        [x, y, disc.one_minus_r2]
+        Self::lift_uniform(disc)
     }
 
     #[inline(always)]
     fn uniform_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 3]) {
-        block::uniform::<D>(u, v, out);
+        lobes::uniform_passes::<D>(u, v, out);
     }
 
     #[inline(always)]
     fn cosine(disc: FastDisc) -> [f32; 3] {
-        let [x, y] = disc.point;
-        [x, y, functions::normal_sqrt(disc.one_minus_r2)]
+        Self::lift_cosine(disc)
     }
 
     #[inline(always)]
     fn cosine_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 3]) {
-        block::cosine::<D>(u, v, out);
+        lobes::cosine_passes::<D>(u, v, out);
     }
 
     fn exponent(e: f32) -> Result<FastExponent, Error> {
@@ -167,7 +196,7 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
-        power::lift(exponent, disc)
+        Self::lift_power(exponent, disc)
     }
 
     #[inline(always)]
@@ -177,6 +206,6 @@ impl Arithmetic for FastF32 {
         v: &Block,
         out: &mut [Lanes<f32>; 3],
     ) {
-        block::power::<D>(exponent, u, v, out);
+        lobes::power_passes::<D>(exponent, u, v, out);
     }
 }

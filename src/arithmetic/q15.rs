@@ -62,6 +62,39 @@ macro_rules! arithmetic_on_q15 {
     ($arithmetic:ty, $name:literal, $concentric:path) => {
         impl $crate::arithmetic::sealed::Sealed for $arithmetic {}
 
+        /// The kernels, as `const` functions.
+        const _: () = {
+            use $crate::arithmetic::fixed::Q15;
+            use $crate::arithmetic::q15::{disc, disc::Q15Disc, lobes, lobes::Q15Exponent};
+
+            impl $arithmetic {
+                #[inline(always)]
+                pub(crate) const fn disc_concentric(uv: [u32; 2]) -> Q15Disc {
+                    $concentric(uv)
+                }
+
+                #[inline(always)]
+                pub(crate) const fn disc_polar(uv: [u32; 2]) -> Q15Disc {
+                    disc::polar(uv)
+                }
+
+                #[inline(always)]
+                pub(crate) const fn lift_uniform(disc: Q15Disc) -> [Q15; 3] {
+                    lobes::uniform(disc)
+                }
+
+                #[inline(always)]
+                pub(crate) const fn lift_cosine(disc: Q15Disc) -> [Q15; 3] {
+                    lobes::cosine(disc)
+                }
+
+                #[inline]
+                pub(crate) const fn lift_power(exponent: Q15Exponent, disc: Q15Disc) -> [Q15; 3] {
+                    lobes::power(exponent, disc)
+                }
+            }
+        };
+
         const _: () = {
             use $crate::arithmetic::fixed::{FixedExponent, Q15};
             use $crate::arithmetic::q15::{

@@ -54,6 +54,41 @@ impl Q31 {
     }
 }
 
+/// The kernels, as `const` functions.
+impl Q31 {
+    #[inline(always)]
+    pub(crate) const fn disc_concentric(uv: [u32; 2]) -> Q31Disc {
+        disc::concentric::<true>(uv)
+    }
+
+    #[inline(always)]
+    pub(crate) const fn disc_polar(uv: [u32; 2]) -> Q31Disc {
+        disc::polar(uv)
+    }
+
+    #[inline(always)]
+    pub(crate) const fn lift_uniform(disc: Q31Disc) -> [Self; 3] {
+        // sqrt(1 + (1 - r^2)) / 2, so that a product with it is in LSBs.
+        let half = root((1 << 62) + (disc.one_minus_r2 >> 2));
+        // Toward zero, because no point may leave the hemisphere.
+        let (x, y) = (high(disc.x, half), high(disc.y, half));
+        let [x_positive, y_positive] = disc.positive;
+        let z = nearest((disc.one_minus_r2 >> 32) as u32);
+        [signed(x, x_positive), signed(y, y_positive), z]
+    }
+
+    #[inline(always)]
+    pub(crate) const fn lift_cosine(disc: Q31Disc) -> [Self; 3] {
+        let [x, y] = disc.store();
+        [x, y, nearest(root(disc.one_minus_r2))]
+    }
+
+    #[inline]
+    pub(crate) const fn lift_power(exponent: Q31Exponent, disc: Q31Disc) -> [Self; 3] {
+        power::lift(exponent, disc)
+    }
+}
+
 impl Sealed for Q31 {}
 
 impl Arithmetic for Q31 {
@@ -83,7 +118,7 @@ impl Arithmetic for Q31 {
 
     #[inline(always)]
     fn concentric(uv: [u32; 2]) -> Q31Disc {
-        disc::concentric::<true>(uv)
+        Self::disc_concentric(uv)
     }
 
     #[inline(always)]
@@ -93,7 +128,7 @@ impl Arithmetic for Q31 {
 
     #[inline(always)]
     fn polar(uv: [u32; 2]) -> Q31Disc {
-        disc::polar(uv)
+        Self::disc_polar(uv)
     }
 
     #[inline(always)]
@@ -103,19 +138,12 @@ impl Arithmetic for Q31 {
 
     #[inline(always)]
     fn uniform(disc: Q31Disc) -> [Self; 3] {
-        // sqrt(1 + (1 - r^2)) / 2, so that a product with it is in LSBs.
-        let half = root((1 << 62) + (disc.one_minus_r2 >> 2));
-        // Toward zero, because no point may leave the hemisphere.
-        let scaled = |x: u32| high(x, half);
-        let [x_positive, y_positive] = disc.positive;
-        let (x, y) = (signed(scaled(disc.x), x_positive), signed(scaled(disc.y), y_positive));
-        [x, y, nearest((disc.one_minus_r2 >> 32) as u32)]
+        Self::lift_uniform(disc)
     }
 
     #[inline(always)]
     fn cosine(disc: Q31Disc) -> [Self; 3] {
-        let [x, y] = disc.store();
-        [x, y, nearest(root(disc.one_minus_r2))]
+        Self::lift_cosine(disc)
     }
 
     fn exponent(parameter: FixedExponent) -> Result<Q31Exponent, Error> {
@@ -128,7 +156,7 @@ impl Arithmetic for Q31 {
 
     #[inline]
     fn power(exponent: Q31Exponent, disc: Q31Disc) -> [Self; 3] {
-        power::lift(exponent, disc)
+        Self::lift_power(exponent, disc)
     }
 }
 

@@ -67,11 +67,11 @@ macro_rules! grid_getters {
 pub(crate) use grid_getters;
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::bits::hash::mix;
 
-    pub(in crate::bits) fn lengths() -> impl Iterator<Item = u32> {
+    pub(crate) fn lengths() -> impl Iterator<Item = u32> {
         let about = |n: u32| [n - 1, n, n + 1];
         let powers = (1..32).flat_map(move |bit| about(1 << bit));
         powers.chain([3, 5, 7, 641, 1_431_655_765, u32::MAX - 1, u32::MAX]).filter(|&n| n > 0)

@@ -2,19 +2,12 @@
 
 mod rejection;
 
-macro_rules! modules {
-    ($($file:ident $map:ident $name:literal;)*) => {$(
-        mod $file;
-        pub use $file::$map;
-    )*};
-}
-for_each_disc_map!(modules);
-
 pub use crate::arithmetic::DiscPoint;
 pub use rejection::Rejection;
 
 use super::{Invert, sealed::Sealed};
 use crate::arithmetic::{Arithmetic, Back, KernelOf, Root};
+use core::marker::PhantomData;
 
 /// A one-to-one map onto the disc, which a lobe can lift to the hemisphere. Sealed.
 ///
@@ -53,6 +46,35 @@ pub trait DiscMap:
 /// The input of an arithmetic's inverses.
 #[doc(hidden)]
 pub type LoweredOf<A> = <<A as Arithmetic>::Back as Back>::Lowered;
+
+/// r = sqrt v, phi = 2 pi u: the textbook's map, which keeps area ratios but not neighbours.
+///
+/// The edges u = 0 and u = 1 meet in a seam along the positive x axis, and v = 0 shrinks to the
+/// centre. u -> !u negates y, bit for bit. With r = v instead of sqrt v the points crowd at the
+/// centre.
+///
+/// ```
+/// use hemidisc::{LibmF32, Map, Polar};
+/// let [x, y] = Polar::<LibmF32>::new().sample([1 << 30, 1 << 30]);
+/// assert!(x.abs() < 1e-9 && (y - 0.5).abs() < 1e-7);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Polar<A>(PhantomData<A>);
+
+/// The concentric map (P. Shirley and K. Chiu, "A Low Distortion Map between Disk and Square",
+/// 1997): squares about the centre of the unit square to circles about the centre of the disc.
+///
+/// With a = 2u - 1, b = 2v - 1 and |a| >= |b|: r = |a|, phi = pi/4 b/a; else x and y swap. Area
+/// ratios are kept and neighbours stay neighbours. u -> !u and v -> !v each negate one component,
+/// bit for bit.
+///
+/// ```
+/// use hemidisc::{Concentric, LibmF32, Map};
+/// let [x, y] = Concentric::<LibmF32>::new().sample([u32::MAX, 1 << 31]);
+/// assert!(x > 0.999 && y > 0.0 && y < 1e-9);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Concentric<A>(PhantomData<A>);
 
 /// A disc map whose kernels are the arithmetic's functions of the same names.
 macro_rules! disc_map {
@@ -132,4 +154,5 @@ macro_rules! disc_map {
         };
     };
 }
-use disc_map;
+disc_map!(Polar, polar, polar_point, invert_polar);
+disc_map!(Concentric, concentric, concentric_point, invert_concentric);

@@ -77,6 +77,10 @@ pub type Cosine<A, D = Concentric<A>> = Hemisphere<CosineLobe<A>, D>;
 pub type Power<A, D = Concentric<A>> = Hemisphere<PowerLobe<A>, D>;
 
 impl<L, D> Hemisphere<L, D> {
+    pub(crate) const fn lobe(&self) -> &L {
+        &self.lobe
+    }
+
     /// The disc map below the lobe.
     #[must_use]
     pub const fn disc(&self) -> &D {

@@ -8,7 +8,7 @@
 use super::Sequence;
 use super::walk::{block_in_order, indices, is_inside};
 use crate::bits::grid::{Grid, grid_getters};
-use crate::bits::modulo::repeat;
+use super::walk::repeat;
 use crate::bits::{
     hash::{Jitter, key},
     permute::{permute, permute_block},
@@ -69,6 +69,12 @@ impl Correlated {
         self.jitter.seed()
     }
 
+    /// How many points there are.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        Some(self.grid.size())
+    }
+
     /// The point of any index; the set repeats after m n points.
     #[must_use]
     #[inline]
@@ -90,7 +96,7 @@ impl Correlated {
 
 impl Sequence for Correlated {
     fn size(&self) -> Option<u32> {
-        Some(self.grid.size())
+        Self::size(self)
     }
 
     #[inline(always)]

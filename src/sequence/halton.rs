@@ -6,7 +6,8 @@
 
 use super::Sequence;
 use super::walk::{Walk, block_in_order, walks};
-use crate::bits::{reversed::Reversed, wide::high};
+use super::walk::Reversed;
+use crate::bits::wide::high;
 use crate::block::Block;
 use crate::target::HALVES;
 
@@ -29,6 +30,12 @@ impl Halton {
     #[must_use]
     pub const fn new() -> Self {
         Self
+    }
+
+    /// How many points there are: `None`, for it is endless.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        None
     }
 
     /// The point of any index.
@@ -123,7 +130,7 @@ fn after(cell: u32) -> u32 {
 
 impl Sequence for Halton {
     fn size(&self) -> Option<u32> {
-        None
+        Self::size(self)
     }
 
     #[inline(always)]

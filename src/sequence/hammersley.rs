@@ -3,8 +3,9 @@
 
 use super::walk::{Walk, walks};
 use super::{Sequence, not_empty};
-use crate::bits::modulo::repeat;
-use crate::bits::{reversed::Reversed, strata::Strata};
+use super::walk::repeat;
+use super::walk::Reversed;
+use crate::bits::strata::Strata;
 use crate::error::Error;
 
 /// The N-point Hammersley set: u = ceil(2^32 i / N), v = i with its bits reversed.
@@ -39,6 +40,12 @@ impl Hammersley {
         self.strata.count()
     }
 
+    /// How many points there are.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        Some(self.strata.count())
+    }
+
     /// The point of any index; the set repeats after `count` points.
     #[must_use]
     #[inline]
@@ -50,7 +57,7 @@ impl Hammersley {
 
 impl Sequence for Hammersley {
     fn size(&self) -> Option<u32> {
-        Some(self.strata.count())
+        Self::size(self)
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@
 use super::Sequence;
 use super::walk::{Walk, block_in_order, walks};
 use crate::bits::grid::{Grid, grid_getters};
-use crate::bits::modulo::repeat;
+use super::walk::repeat;
 use crate::bits::{hash::Jitter, strata::Strata};
 use crate::block::Block;
 use crate::error::Error;
@@ -54,6 +54,12 @@ impl Jittered {
         self.jitter.seed()
     }
 
+    /// How many points there are.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        Some(self.grid.size())
+    }
+
     /// The point of any index; the set repeats after m n points.
     #[must_use]
     #[inline]
@@ -70,7 +76,7 @@ impl Jittered {
 
 impl Sequence for Jittered {
     fn size(&self) -> Option<u32> {
-        Some(self.grid.size())
+        Self::size(self)
     }
 
     #[inline(always)]

@@ -8,7 +8,7 @@
 use super::Sequence;
 use super::walk::{Walk, block_in_order, is_inside, walks};
 use crate::bits::grid::{Grid, grid_getters};
-use crate::bits::modulo::repeat;
+use super::walk::repeat;
 use crate::bits::{
     hash::{Jitter, key, mix},
     permute::{permute, permute_each},
@@ -66,6 +66,12 @@ impl MultiJittered {
         self.jitter.seed()
     }
 
+    /// How many points there are.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        Some(self.grid.size())
+    }
+
     /// The point of any index; the set repeats after m n points.
     #[must_use]
     #[inline]
@@ -92,7 +98,7 @@ impl MultiJittered {
 
 impl Sequence for MultiJittered {
     fn size(&self) -> Option<u32> {
-        Some(self.grid.size())
+        Self::size(self)
     }
 
     #[inline(always)]

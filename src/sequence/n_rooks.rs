@@ -3,7 +3,7 @@
 
 use super::walk::{Walk, block_in_order, indices, is_inside, walks};
 use super::{Sequence, not_empty};
-use crate::bits::modulo::repeat;
+use super::walk::repeat;
 use crate::bits::{
     hash::{Jitter, key},
     permute::{permute, permute_block},
@@ -59,6 +59,12 @@ impl NRooks {
         self.strata.count()
     }
 
+    /// How many points there are.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        Some(self.strata.count())
+    }
+
     /// The point of any index; the set repeats after `count` points.
     #[must_use]
     #[inline]
@@ -79,7 +85,7 @@ impl NRooks {
 
 impl Sequence for NRooks {
     fn size(&self) -> Option<u32> {
-        Some(self.strata.count())
+        Self::size(self)
     }
 
     #[inline(always)]

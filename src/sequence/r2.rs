@@ -35,6 +35,12 @@ impl R2 {
         unmix(self.shift[0])
     }
 
+    /// How many points there are: `None`, for it is endless.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        None
+    }
+
     /// The point of any index.
     #[must_use]
     #[inline]
@@ -49,7 +55,7 @@ impl R2 {
 
 impl Sequence for R2 {
     fn size(&self) -> Option<u32> {
-        None
+        Self::size(self)
     }
 
     #[inline(always)]

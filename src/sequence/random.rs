@@ -30,6 +30,12 @@ impl Random {
         self.pairs.seed(*b"rand")
     }
 
+    /// How many points there are: `None`, for it is endless.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        None
+    }
+
     /// The point of any index.
     #[must_use]
     #[inline]
@@ -40,7 +46,7 @@ impl Random {
 
 impl Sequence for Random {
     fn size(&self) -> Option<u32> {
-        None
+        Self::size(self)
     }
 
     #[inline(always)]

@@ -6,7 +6,7 @@
 use super::Sequence;
 use super::walk::{Walk, block_in_order, walks};
 use crate::bits::grid::{Grid, grid_getters};
-use crate::bits::modulo::repeat;
+use super::walk::repeat;
 use crate::bits::strata::Strata;
 use crate::block::Block;
 use crate::error::Error;
@@ -45,6 +45,12 @@ impl Regular {
 
     grid_getters!();
 
+    /// How many points there are.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        Some(self.grid.size())
+    }
+
     /// The point of any index; the set repeats after m n points.
     #[must_use]
     #[inline]
@@ -82,7 +88,7 @@ impl Centres {
 
 impl Sequence for Regular {
     fn size(&self) -> Option<u32> {
-        Some(self.grid.size())
+        Self::size(self)
     }
 
     #[inline(always)]

@@ -6,7 +6,7 @@
 
 use super::Sequence;
 use super::sobol_owen::shuffle;
-use crate::bits::modulo::repeat;
+use super::walk::repeat;
 use crate::bits::permute::permute;
 use crate::domain::Domain;
 

@@ -37,6 +37,12 @@ impl Sobol {
         unmix(self.shift[0])
     }
 
+    /// How many points there are: `None`, for it is endless.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        None
+    }
+
     /// The point of any index.
     #[must_use]
     #[inline]
@@ -61,16 +67,6 @@ const fn pascal(mut x: u32) -> u32 {
     x ^= x << 4 & 0xf0f0_f0f0;
     x ^= x << 8 & 0xff00_ff00;
     x ^ (x << 16)
-}
-
-/// [`pascal`] in the reversed-bit domain: `pascal_reversed(i)` is `pascal(i.reverse_bits())` with
-/// its bits reversed.
-pub(super) const fn pascal_reversed(mut x: u32) -> u32 {
-    x ^= x >> 1 & 0x5555_5555;
-    x ^= x >> 2 & 0x3333_3333;
-    x ^= x >> 4 & 0x0f0f_0f0f;
-    x ^= x >> 8 & 0x00ff_00ff;
-    x ^ (x >> 16)
 }
 
 /// The first 64 points: xor with the first point of a block gives the rest of it.
@@ -99,7 +95,7 @@ const FIRST: [[u32; 2]; FEW] = {
 
 impl Sequence for Sobol {
     fn size(&self) -> Option<u32> {
-        None
+        Self::size(self)
     }
 
     #[inline(always)]

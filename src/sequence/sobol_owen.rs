@@ -5,7 +5,6 @@
 //! axis moves the points among elementary intervals of every size, and so keeps the nets too.
 
 use super::Sequence;
-use super::sobol::pascal_reversed;
 use crate::bits::owen::{scramble, scramble_low, scramble_reversed, scramble_siblings};
 use crate::block::{BLOCK, Block};
 use crate::domain::Domain;
@@ -47,6 +46,12 @@ impl SobolOwen {
     #[cfg(any(feature = "serde", feature = "defmt"))]
     pub(crate) const fn domain(&self) -> Domain {
         Domain::of_keys([self.order, self.axes[0]])
+    }
+
+    /// How many points there are: `None`, for it is endless.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        None
     }
 
     /// The point of any index.
@@ -120,9 +125,19 @@ pub(crate) const fn shuffle(index: u32, key: u32) -> u32 {
     scramble(index, key)
 }
 
+/// Pascal's triangle modulo 2, the matrix of Sobol's second dimension, on reversed bits: as in
+/// `sobol.rs`, but each step takes the upper half of a group of bits into the lower.
+const fn pascal_reversed(mut x: u32) -> u32 {
+    x ^= x >> 1 & 0x5555_5555;
+    x ^= x >> 2 & 0x3333_3333;
+    x ^= x >> 4 & 0x0f0f_0f0f;
+    x ^= x >> 8 & 0x00ff_00ff;
+    x ^ (x >> 16)
+}
+
 impl Sequence for SobolOwen {
     fn size(&self) -> Option<u32> {
-        None
+        Self::size(self)
     }
 
     #[inline(always)]

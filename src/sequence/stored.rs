@@ -1,8 +1,8 @@
 //! Points that the caller has stored: recorded, random, or a table in flash.
 
 use super::walk::block_in_order;
+use super::walk::repeat;
 use super::{Sequence, looked_up};
-use crate::bits::modulo::repeat;
 use crate::block::{BLOCK, Block};
 use crate::error::Error;
 
@@ -37,6 +37,12 @@ impl<'a> Stored<'a> {
         Ok(Self { points })
     }
 
+    /// How many points there are.
+    #[must_use]
+    pub const fn size(&self) -> Option<u32> {
+        Some(self.points.len() as u32)
+    }
+
     /// The point of any index; the set repeats after its last point.
     #[must_use]
     #[inline]
@@ -63,7 +69,7 @@ fn up_to_the_last_index(points: &[[u32; 2]], start: u32) -> &[[u32; 2]] {
 
 impl Sequence for Stored<'_> {
     fn size(&self) -> Option<u32> {
-        Some(self.points.len() as u32)
+        Self::size(self)
     }
 
     #[inline(always)]

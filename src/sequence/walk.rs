@@ -1,8 +1,40 @@
-//! Sequences that are expensive to seek and cheap to advance, and the blocks of those that are not
-//! vector code.
+//! What sequences share: sets that repeat, sequences that are expensive to seek and cheap to
+//! advance, and the blocks of those that are not vector code.
 
 use super::Sequence;
 use crate::block::{BLOCK, Block};
+use crate::target::{HALVES, REVERSES_BITS};
+
+/// `index` modulo `size`, without a division for an index inside the set. A set is never empty.
+#[inline(always)]
+pub(super) const fn repeat(index: u32, size: u32) -> u32 {
+    if index < size {
+        index
+    } else if HALVES {
+        remainder(index, size)
+    } else {
+        match index.checked_rem(size) {
+            Some(index) => index,
+            None => 0,
+        }
+    }
+}
+
+/// `index` modulo `size` by doubling and subtracting. A core without a divider would link 800 bytes
+/// of a routine that is seldom called.
+#[cold]
+#[inline(never)]
+const fn remainder(index: u32, size: u32) -> u32 {
+    let mut rest = index;
+    while size > 0 && rest >= size {
+        let mut multiple = size;
+        while multiple <= rest / 2 {
+            multiple *= 2;
+        }
+        rest -= multiple;
+    }
+    rest
+}
 
 /// A sequence that is expensive to seek and cheap to advance.
 pub(super) trait Walk: Sequence {
@@ -87,5 +119,72 @@ pub(super) fn indices(start: u32) -> Block {
 pub(super) fn block_in_order(points: impl Iterator<Item = [u32; 2]>, u: &mut Block, v: &mut Block) {
     for ((u, v), point) in u.iter_mut().zip(v).zip(points) {
         [*u, *v] = point;
+    }
+}
+
+/// An index with its bits reversed, counted on: the radical inverse in base 2.
+///
+/// A core that cannot reverse bits in one instruction takes some 20. Counting on with a carry from
+/// the highest bit down changes two bits on average.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Reversed {
+    index: u32,
+    bits: u32,
+}
+
+impl Reversed {
+    pub(super) const fn new(index: u32) -> Self {
+        Self { index, bits: index.reverse_bits() }
+    }
+
+    /// The bits of the index in reverse.
+    pub(super) const fn bits(self) -> u32 {
+        self.bits
+    }
+
+    /// The next index; 0 after the last.
+    #[inline(always)]
+    pub(super) const fn after(self) -> Self {
+        let index = self.index.wrapping_add(1);
+        Self { index, bits: if REVERSES_BITS { index.reverse_bits() } else { carried(self.bits) } }
+    }
+}
+
+/// The sum with the highest bit, carried downwards.
+#[inline(always)]
+const fn carried(mut bits: u32) -> u32 {
+    let mut bit = 1 << 31;
+    while bits & bit != 0 {
+        bits ^= bit;
+        bit >>= 1;
+    }
+    bits | bit
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bits::grid::tests::lengths;
+    use crate::bits::hash::mix;
+
+    #[test]
+    fn remainders_by_bits_are_remainders() {
+        for size in lengths() {
+            let ends = (0..100).flat_map(|i| [i, u32::MAX - i, size.wrapping_mul(i)]);
+            for index in ends.chain((0..1000).map(mix)) {
+                assert_eq!(remainder(index, size), index % size, "{index} mod {size}");
+                assert_eq!(repeat(index, size), index % size, "{index} mod {size}");
+            }
+        }
+    }
+
+    #[test]
+    fn counts_as_the_index_does() {
+        let powers = (0..32).map(|bit| (1_u32 << bit) - 1);
+        for index in powers.chain(0..10_000).chain(u32::MAX - 10_000..=u32::MAX) {
+            let next = index.wrapping_add(1);
+            assert_eq!(carried(index.reverse_bits()), next.reverse_bits(), "{index}");
+            assert_eq!(Reversed::new(index).after(), Reversed::new(next), "{index}");
+        }
     }
 }

@@ -2,11 +2,10 @@
 
 use hemidisc::{
     bits::hash::mix,
-    catalogue::grid,
     invariant,
     sequence::{
         Correlated, Hammersley, Jittered, MultiJittered, NRooks, Random, Regular, Sequence,
-        Shuffled, SobolOwen,
+        Shuffled, SobolOwen, grid,
     },
 };
 use std::collections::{HashMap, HashSet};

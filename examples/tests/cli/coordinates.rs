@@ -113,9 +113,9 @@ fn hammersley_is_its_formula() {
 #[test]
 fn regular_is_its_formula() {
     ends_as("regular", |index, count| {
-        let columns = count.isqrt();
+        let columns = (1..=count.isqrt()).rev().find(|columns| count % columns == 0).unwrap();
         let centre = |c: u64, of: u64| (((2 * c + 1) << 31) / of) as u32;
-        [centre(index % columns, columns), centre(index / columns, count.div_ceil(columns))]
+        [centre(index % columns, columns), centre(index / columns, count / columns)]
     });
 }
 

@@ -1,8 +1,28 @@
-//! The disc kernels: both maps to an octant, and the octant's placement.
+//! The disc kernels: both maps to an octant, the octant's placement, and the same over a block.
+//!
+//! **Blocks.** One point is a dependency chain of 40 to 130 operations. Out-of-order execution
+//! overlaps two or three such chains, but many short ones. So a block is processed in passes, each
+//! over a part of the chain, with intermediate values on the stack. On x86-64 that is 1.2 to 1.3
+//! times as fast as one loop, and more for the power lobe. A pass recomputes what is cheap, such as
+//! a sign; the compiler removes the parts of a point that it does not use.
 
-use super::functions::{gaps, normal_sqrt};
+use super::functions::normal_sqrt;
+use crate::arithmetic::DiscKernel;
+use crate::block::{BLOCK, Block, Lanes};
 use crate::coordinates::{Angle, fold, fold_angle};
 use crate::target::BRANCHES;
+
+/// 1 - cos(pi/4 t) and 1 - sin(pi/4 t) / t from q = t^2 in [0, 1].
+///
+/// Both are below 0.3, so r - r gap has one rounding at full size: half the error of r cos.
+#[inline(always)]
+pub(super) const fn gaps(q: f32) -> [f32; 2] {
+    const COS: [f32; 4] = [0.308_425_13, -0.015_854_267, 3.258_201_8e-4, -3.461_355_4e-6];
+    const SIN: [f32; 4] = [0.214_601_84, 0.080_745_41, -2.489_921_4e-3, 3.590_579_2e-5];
+    let cos = COS[0] + q * (COS[1] + q * (COS[2] + q * COS[3]));
+    let sin = SIN[0] + q * (SIN[1] + q * (SIN[2] + q * SIN[3]));
+    [q * cos, sin]
+}
 
 /// A point of the disc, and its place relative to the octant 0 <= y <= x.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,8 +34,8 @@ pub struct FastDisc {
     /// 1 - cos phi and 1 - sin phi / t.
     gaps: [f32; 2],
     /// r and r t: x and y are these less their gaps.
-    pub(super) ends: [f32; 2],
-    pub(super) place: Place,
+    ends: [f32; 2],
+    place: Place,
     pub(super) r2: f32,
     pub(super) one_minus_r2: f32,
 }
@@ -50,7 +70,7 @@ const fn halves(k: u32, cleared: u32) -> f32 {
 
 /// (2k + 1) / 2^33 correctly rounded.
 #[inline(always)]
-const fn centre_nearest(k: u32) -> f32 {
+pub(super) const fn centre_nearest(k: u32) -> f32 {
     halves(k, 0)
 }
 
@@ -96,7 +116,7 @@ const fn signed<const BRANCHES: bool>([x, y]: [f32; 2], signs: [u32; 2]) -> [f32
 impl Place {
     /// A point of the octant in its place.
     #[inline(always)]
-    pub(super) const fn placed(self, point: [f32; 2]) -> [f32; 2] {
+    const fn placed(self, point: [f32; 2]) -> [f32; 2] {
         signed::<false>(exchanged(self.swap, inward(point)), self.signs)
     }
 
@@ -211,43 +231,54 @@ pub(super) const fn root_to_1(square: f32) -> f32 {
     normal_sqrt(if square < 1.0 { square } else { 1.0 })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// The points of a disc map.
+#[inline(always)]
+pub(super) fn passes<D: DiscKernel<Disc = FastDisc>>(
+    u: &Block,
+    v: &Block,
+    [x, y]: &mut [Lanes<f32>; 2],
+) {
+    in_octant::<D>(u, v, x, y);
+    to_places::<D>(u, v, x, y);
+}
 
-    /// Words near powers of two from both ends and the middle, and across the tests for the rim.
-    fn words() -> impl Iterator<Item = u32> + Clone {
-        let steps = (0..31).flat_map(|bit| [1 << bit, (1 << bit) - 1, (1 << bit) + 5]);
-        let rim = (0..1 << 13).step_by(61);
-        steps.chain(rim).flat_map(|step: u32| [step, !step, step ^ 0x8000_0000, step ^ 0x7fff_ffff])
+/// x and y of the points, in the octant.
+#[inline(always)]
+pub(super) fn in_octant<D: DiscKernel<Disc = FastDisc>>(
+    u: &Block,
+    v: &Block,
+    x: &mut Lanes<f32>,
+    y: &mut Lanes<f32>,
+) {
+    let mut t = [0.0; BLOCK];
+    for lane in 0..BLOCK {
+        let FastDisc { ends, t: tangent, .. } = D::disc([u[lane], v[lane]]);
+        [x[lane], y[lane]] = ends;
+        t[lane] = tangent;
     }
+    less_gaps(x, y, &t);
+}
 
-    /// In f64 the centre of a cell is exact.
-    #[test]
-    fn centres_are_rounded_as_they_say() {
-        for k in words().chain((0..1 << 20).map(|i: u32| i.wrapping_mul(0x9e37_79b1))) {
-            let exact = (f64::from(k) + 0.5) / 4_294_967_296.0;
-            let nearest = exact as f32;
-            let down = if f64::from(nearest) > exact { nearest.next_down() } else { nearest };
-            assert_eq!([centre_nearest(k), centre_down(k)], [nearest, down], "{k:x}");
-        }
+/// From r and r t to x and y in the octant.
+#[inline(always)]
+pub(super) fn less_gaps(x: &mut Lanes<f32>, y: &mut Lanes<f32>, t: &Lanes<f32>) {
+    for lane in 0..BLOCK {
+        let [cos, sin] = gaps(t[lane] * t[lane]);
+        x[lane] -= x[lane] * cos;
+        y[lane] -= y[lane] * sin;
     }
+}
 
-    /// Both forms are compiled everywhere, though a target uses only one.
-    #[test]
-    fn branches_do_not_change_a_bit() {
-        for u in words() {
-            for v in words() {
-                let uv = [u, v];
-                assert_eq!(concentric::<true>(uv), concentric::<false>(uv), "{u:x} {v:x}");
-                assert_eq!(polar::<true>(uv), polar::<false>(uv), "{u:x} {v:x}");
-            }
-        }
-        for (u, below) in words().zip((0..64).cycle()) {
-            let distance = f32::from_bits(1.0_f32.to_bits() - below);
-            for disc in [concentric::<true>([u, !u]), polar::<true>([u, u.rotate_left(9)])] {
-                assert_eq!(disc.place_at::<true>(distance), disc.place_at::<false>(distance));
-            }
-        }
+/// From the octant to their places.
+#[inline(always)]
+pub(super) fn to_places<D: DiscKernel<Disc = FastDisc>>(
+    u: &Block,
+    v: &Block,
+    x: &mut Lanes<f32>,
+    y: &mut Lanes<f32>,
+) {
+    for lane in 0..BLOCK {
+        let FastDisc { place, .. } = D::disc([u[lane], v[lane]]);
+        [x[lane], y[lane]] = place.placed([x[lane], y[lane]]);
     }
 }

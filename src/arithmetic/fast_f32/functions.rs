@@ -3,20 +3,6 @@
 //! tests/derive/fast_f32.sollya derives the coefficients. The tests have the errors, over every f32
 //! of each range.
 
-use crate::arithmetic::float::Float;
-
-/// 1 - cos(pi/4 t) and 1 - sin(pi/4 t) / t from q = t^2 in [0, 1].
-///
-/// Both are below 0.3, so r - r gap has one rounding at full size: half the error of r cos.
-#[inline(always)]
-pub(super) const fn gaps(q: f32) -> [f32; 2] {
-    const COS: [f32; 4] = [0.308_425_13, -0.015_854_267, 3.258_201_8e-4, -3.461_355_4e-6];
-    const SIN: [f32; 4] = [0.214_601_84, 0.080_745_41, -2.489_921_4e-3, 3.590_579_2e-5];
-    let cos = COS[0] + q * (COS[1] + q * (COS[2] + q * COS[3]));
-    let sin = SIN[0] + q * (SIN[1] + q * (SIN[2] + q * SIN[3]));
-    [q * cos, sin]
-}
-
 /// Square root of x in [0, MAX]; `core` has none.
 #[inline]
 pub(super) const fn sqrt(x: f32) -> f32 {
@@ -86,73 +72,3 @@ pub(super) const fn exp(x: f32, d: f32) -> [f32; 2] {
 
 /// ln of the smallest normal number, toward 0.
 pub(super) const LN_MIN: f32 = -87.336_54;
-
-/// The functions as the generic kernels take them, for inverses and densities, which are not for
-/// the inner loop.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Functions;
-
-impl Float for Functions {
-    const NAME: &'static str = "fast-f32";
-    type Real = f32;
-
-    #[inline]
-    fn sqrt(x: f32) -> f32 {
-        sqrt(x)
-    }
-
-    /// `Float` requires it, but no inverse or density calls it.
-    #[inline]
-    fn sin_cos(x: f32) -> (f32, f32) {
-        let t = x * (4.0 * core::f32::consts::FRAC_1_PI);
-        let [cos, sin] = gaps(t * t);
-        (t - t * sin, 1.0 - cos)
-    }
-
-    /// x - x^3 P(x^2).
-    #[inline]
-    fn atan(x: f32) -> f32 {
-        const ATAN: [f32; 9] = [
-            0.333_333_3,
-            -0.199_997_51,
-            0.142_790_7,
-            -0.110_385_83,
-            0.086_774_774,
-            -0.062_962_6,
-            0.036_433_03,
-            -0.013_860_541,
-            2.476_516e-3,
-        ];
-        let q = x * x;
-        let polynomial = ATAN.into_iter().rev().fold(0.0, |sum, c| c + q * sum);
-        x - x * (q * polynomial)
-    }
-
-    #[inline]
-    fn ln(x: f32) -> f32 {
-        ln_complement(1.0 - x, x)
-    }
-
-    #[inline]
-    fn ln_1p(x: f32) -> f32 {
-        ln_complement(-x, 1.0 + x)
-    }
-
-    #[inline]
-    fn exp(x: f32) -> f32 {
-        if x < LN_MIN {
-            0.0
-        } else if x > 88.0 {
-            // Halved, so that 2^k is in range up to the last.
-            let [root, _] = exp(if x < 90.0 { x * 0.5 } else { 45.0 }, 0.0);
-            root * root
-        } else {
-            exp(x, 0.0)[0]
-        }
-    }
-
-    #[inline]
-    fn exp_m1(x: f32) -> f32 {
-        -exp(if x > LN_MIN { x } else { LN_MIN }, 0.0)[1]
-    }
-}

@@ -5,8 +5,9 @@
 //!     HEMIDISC_EXHAUSTIVE=1 cargo test --release --lib fast_f32 -- --nocapture
 
 use super::FastF32;
-use super::disc::FastDisc;
-use super::functions::{self, Functions, gaps, ln_complement};
+use super::back::Functions;
+use super::disc::{FastDisc, centre_down, centre_nearest, concentric, gaps, polar};
+use super::functions::{self, ln_complement};
 use crate::arithmetic::Float;
 use crate::invariant::in_unit_disc;
 use crate::target::BRANCHES;
@@ -161,4 +162,40 @@ fn no_distance_and_angle_is_outside() {
     // The next distance inward is already far from the rim.
     let inner = f32::from_bits(1.0_f32.to_bits() - RADII);
     assert!(f64::from(inner).powi(2) < 1.0 - 15.0 * EPS);
+}
+
+/// Words near powers of two from both ends and the middle, and across the tests for the rim.
+fn words() -> impl Iterator<Item = u32> + Clone {
+    let steps = (0..31).flat_map(|bit| [1 << bit, (1 << bit) - 1, (1 << bit) + 5]);
+    let rim = (0..1 << 13).step_by(61);
+    steps.chain(rim).flat_map(|step: u32| [step, !step, step ^ 0x8000_0000, step ^ 0x7fff_ffff])
+}
+
+/// In f64 the centre of a cell is exact.
+#[test]
+fn centres_are_rounded_as_they_say() {
+    for k in words().chain((0..1 << 20).map(|i: u32| i.wrapping_mul(0x9e37_79b1))) {
+        let exact = (f64::from(k) + 0.5) / 4_294_967_296.0;
+        let nearest = exact as f32;
+        let down = if f64::from(nearest) > exact { nearest.next_down() } else { nearest };
+        assert_eq!([centre_nearest(k), centre_down(k)], [nearest, down], "{k:x}");
+    }
+}
+
+/// Both forms are compiled everywhere, though a target uses only one.
+#[test]
+fn branches_do_not_change_a_bit() {
+    for u in words() {
+        for v in words() {
+            let uv = [u, v];
+            assert_eq!(concentric::<true>(uv), concentric::<false>(uv), "{u:x} {v:x}");
+            assert_eq!(polar::<true>(uv), polar::<false>(uv), "{u:x} {v:x}");
+        }
+    }
+    for (u, below) in words().zip((0..64).cycle()) {
+        let distance = f32::from_bits(1.0_f32.to_bits() - below);
+        for disc in [concentric::<true>([u, !u]), polar::<true>([u, u.rotate_left(9)])] {
+            assert_eq!(disc.place_at::<true>(distance), disc.place_at::<false>(distance));
+        }
+    }
 }

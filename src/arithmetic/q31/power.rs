@@ -36,7 +36,7 @@ const fn plus_1(e: FixedExponent) -> Scaled {
 }
 
 #[inline]
-pub(super) fn lift(exponent: Q31Exponent, disc: Q31Disc) -> [Q31; 3] {
+pub(super) const fn lift(exponent: Q31Exponent, disc: Q31Disc) -> [Q31; 3] {
     let log_z = log(disc.r2, disc.one_minus_r2).times(exponent.reciprocal);
     let z = exp(log_z);
     let s2 = fall(log_z.doubled(), high_64(z, z));
@@ -47,13 +47,14 @@ pub(super) fn lift(exponent: Q31Exponent, disc: Q31Disc) -> [Q31; 3] {
     let twice = s2.exponent - r2.exponent + 1;
     let ratio = root(quotient << (32 - (twice & 1)));
     // A product with the ratio is in LSBs after this.
-    let shift = (33 - ((twice + 1) >> 1)).cast_unsigned().min(63);
+    let shift = (33 - ((twice + 1) >> 1)).cast_unsigned();
+    let shift = if shift < 63 { shift } else { 63 };
     // To the nearest, but toward zero where z < 1/2: no point may leave the hemisphere.
     let half = (z >> 63) << (shift - 1);
-    let scaled = |x: u32| ((product(x, ratio) + half) >> shift) as u32;
+    let x = ((product(disc.x, ratio) + half) >> shift) as u32;
+    let y = ((product(disc.y, ratio) + half) >> shift) as u32;
     let [x_positive, y_positive] = disc.positive;
-    let (x, y) = (signed(scaled(disc.x), x_positive), signed(scaled(disc.y), y_positive));
-    [x, y, nearest((z >> 32) as u32)]
+    [signed(x, x_positive), signed(y, y_positive), nearest((z >> 32) as u32)]
 }
 
 /// -ln z of a direction: from z near the horizon, from x and y near the pole, where z has rounded

@@ -20,7 +20,7 @@ impl<A: Arithmetic> PowerLobe<A> {
     }
 
     /// The exponent with its precomputed values.
-    pub(super) fn prepared(&self) -> A::Exponent {
+    pub(crate) const fn prepared(&self) -> A::Exponent {
         self.exponent
     }
 

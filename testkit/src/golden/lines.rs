@@ -7,7 +7,9 @@
 use crate::digest::{Digest, Digestible};
 use core::fmt::Arguments;
 use hemidisc::arithmetic::Arithmetic;
-use hemidisc::catalogue::{MapVisitor, SequenceVisitor, maps, power_maps, sequences};
+use hemidisc::catalogue::{
+    MapVisitor, Parameters, SequenceVisitor, maps, power_maps, sequences_of,
+};
 use hemidisc::disc::Rejection;
 use hemidisc::sequence::{Sequence, Shuffled, SobolOwen, Stored};
 use hemidisc::{Domain, Error, Invert, Map, Points, UnitSquare};
@@ -16,6 +18,13 @@ use hemidisc::{Domain, Error, Invert, Map, Points, UnitSquare};
 const COUNT: u32 = 300;
 const SEED: u32 = 7;
 const EXPONENTS: [&str; 5] = ["0", "0.5", "1", "10", "10000"];
+
+/// For sets of `count` points. A grid of 17 x 18 has six more, so that a set does not end with its
+/// digest either.
+const fn parameters(count: u32, seed: u32) -> Parameters {
+    let parameters = Parameters::new(count, seed);
+    if count == COUNT { Parameters { columns: 17, rows: 18, ..parameters } } else { parameters }
+}
 
 /// Takes a line without its end.
 pub type Lines<'a> = &'a mut dyn FnMut(Arguments);
@@ -45,7 +54,8 @@ pub fn squares(lines: Lines) -> Result<(), Error> {
     for count in [1, 16, 256, 300, 4096] {
         for seed in [0, SEED] {
             let size_and_seed = format_args!("count={count} seed={seed}");
-            sequences(count, seed, &mut Squares { lines: &mut *lines, size_and_seed, count })?;
+            let mut squares = Squares { lines: &mut *lines, size_and_seed, count };
+            sequences_of(parameters(count, seed), &mut squares)?;
         }
     }
     Ok(())
@@ -81,7 +91,7 @@ pub fn domains(lines: Lines) -> Result<(), Error> {
         }
         lines(format_args!("domain {name} {:016x}", digest.value()));
     }
-    sequences(COUNT, SEED, &mut Shuffles(lines))
+    sequences_of(parameters(COUNT, SEED), &mut Shuffles(lines))
 }
 
 /// A line for each map of an arithmetic over one sequence.
@@ -153,5 +163,5 @@ fn mapped<A: Arithmetic<Real: Digestible>>(
 
 /// The file of one arithmetic, but for its first line where that names a library.
 pub fn arithmetic<A: Arithmetic<Real: Digestible>>(lines: Lines) -> Result<(), Error> {
-    sequences(COUNT, SEED, &mut OfArithmetic { lines, maps: mapped::<A> })
+    sequences_of(parameters(COUNT, SEED), &mut OfArithmetic { lines, maps: mapped::<A> })
 }

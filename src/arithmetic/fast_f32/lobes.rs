@@ -1,8 +1,11 @@
-//! The power lobe of fast f32: the exponent prepared, and the lift.
+//! The lobes of fast f32: the power lobe and its exponent, and all three over a block of points.
 
-use super::disc::{FastDisc, root_to_1};
-use super::functions::{Functions, LN_MIN, exp, ln_complement};
+use super::back::Functions;
+use super::disc::{FastDisc, in_octant, less_gaps, root_to_1, to_places};
+use super::functions::{LN_MIN, exp, ln_complement, normal_sqrt};
+use crate::arithmetic::DiscKernel;
 use crate::arithmetic::float::PowerExponent;
+use crate::block::{BLOCK, Block, Lanes};
 use crate::error::Error;
 use crate::target::BRANCHES;
 
@@ -53,8 +56,9 @@ impl From<FastExponent> for PowerExponent<f32> {
     }
 }
 
+/// The power lobe.
 #[inline(always)]
-pub(super) const fn lift(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
+pub(super) const fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
     let [square, z] = elevation(exponent, ln_complement(disc.r2, disc.one_minus_r2));
     let [x, y] = disc.place_at::<BRANCHES>(exponent.distance(square));
     [x, y, z]
@@ -71,4 +75,77 @@ pub(super) const fn elevation(exponent: FastExponent, log: f32) -> [f32; 2] {
     let [z, gap] = exp(log, exponent.lost);
     let z = if z > f32::MIN_POSITIVE { z } else { f32::MIN_POSITIVE };
     [gap * (1.0 + z), z]
+}
+
+/// The uniform lobe over them.
+#[inline(always)]
+pub(super) fn uniform_passes<D: DiscKernel<Disc = FastDisc>>(
+    u: &Block,
+    v: &Block,
+    [x, y, z]: &mut [Lanes<f32>; 3],
+) {
+    for lane in 0..BLOCK {
+        let FastDisc { r2, one_minus_r2, .. } = D::disc([u[lane], v[lane]]);
+        x[lane] = r2 * (1.0 + one_minus_r2);
+        z[lane] = one_minus_r2;
+    }
+    for sin in x.iter_mut() {
+        *sin = root_to_1(*sin);
+    }
+    at_distances::<D>(u, v, x, y);
+}
+
+/// The cosine lobe over them.
+#[inline(always)]
+pub(super) fn cosine_passes<D: DiscKernel<Disc = FastDisc>>(
+    u: &Block,
+    v: &Block,
+    [x, y, z]: &mut [Lanes<f32>; 3],
+) {
+    for lane in 0..BLOCK {
+        z[lane] = D::disc([u[lane], v[lane]]).one_minus_r2;
+    }
+    for z in z {
+        *z = normal_sqrt(*z);
+    }
+    in_octant::<D>(u, v, x, y);
+    to_places::<D>(u, v, x, y);
+}
+
+/// The power lobe over them.
+#[inline(always)]
+pub(super) fn power_passes<D: DiscKernel<Disc = FastDisc>>(
+    exponent: FastExponent,
+    u: &Block,
+    v: &Block,
+    [x, y, z]: &mut [Lanes<f32>; 3],
+) {
+    for lane in 0..BLOCK {
+        let FastDisc { r2, one_minus_r2, .. } = D::disc([u[lane], v[lane]]);
+        z[lane] = ln_complement(r2, one_minus_r2);
+    }
+    for (square, z) in x.iter_mut().zip(z) {
+        [*square, *z] = elevation(exponent, *z);
+    }
+    for sin in x.iter_mut() {
+        *sin = exponent.distance(*sin);
+    }
+    at_distances::<D>(u, v, x, y);
+}
+
+/// Points in the directions of a disc map's points, at the distances from the axis in x.
+#[inline(always)]
+fn at_distances<D: DiscKernel<Disc = FastDisc>>(
+    u: &Block,
+    v: &Block,
+    x: &mut Lanes<f32>,
+    y: &mut Lanes<f32>,
+) {
+    let mut t = [0.0; BLOCK];
+    for lane in 0..BLOCK {
+        t[lane] = D::disc([u[lane], v[lane]]).t;
+        y[lane] = x[lane] * t[lane];
+    }
+    less_gaps(x, y, &t);
+    to_places::<D>(u, v, x, y);
 }
