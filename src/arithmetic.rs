@@ -42,7 +42,7 @@ for_each_arithmetic!(modules);
 #[cfg(feature = "fixed-point")]
 pub use fixed::FixedExponent;
 pub use float::{DiscPoint, Float, Real, Root};
-pub(crate) use float::{FloatBack, RealKernel};
+pub(crate) use float::{FloatBack, RealKernel, length, vector};
 
 /// A number type and the kernels of all maps on it. Sealed: [`Float`] is the way to bring another
 /// library.

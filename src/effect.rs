@@ -17,6 +17,41 @@
 //! arriving directions are a [`Unit`](crate::Unit) or a [`Frame`](crate::Frame), which are checked
 //! where they are made. The density that a sample has is that of its direction, within rounding.
 
+//! In a `static` an effect is made by its `const_new`, where the arithmetic is `FastF32`, whose
+//! kernels are `const`; a lens's is for any aperture of floats. The bits are those of `new`.
+//!
+//! ```
+//! use hemidisc::effect::{BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
+//! use hemidisc::{Error, FastF32, Frame};
+//!
+//! struct Effects {
+//!     lens: ThinLens<Polygon<FastF32, 6>, f32>,
+//!     lamp: DiscLight<FastF32>,
+//!     gloss: Glossy<FastF32>,
+//! }
+//!
+//! /// What a constructor accepts, or an error of the compiler.
+//! macro_rules! accepted {
+//!     ($made:expr) => {
+//!         match $made {
+//!             Ok(made) => made,
+//!             Err(_) => panic!("refused"),
+//!         }
+//!     };
+//! }
+//!
+//! static EFFECTS: Effects = Effects {
+//!     lens: accepted!(ThinLens::<_, f32>::const_new(Polygon::const_new(1 << 30), 0.1, 4.9)),
+//!     lamp: {
+//!         let down = accepted!(Frame::<f32>::const_new([0.0, -1.0, 0.0]));
+//!         accepted!(DiscLight::<FastF32>::const_new([0.0, 3.0, 0.0], down, 0.5))
+//!     },
+//!     gloss: accepted!(Glossy::<FastF32>::const_new(50.0, BelowHorizon::Flip)),
+//! };
+//! assert_eq!(EFFECTS.lens, ThinLens::new(Polygon::new(1 << 30), 0.1, 4.9)?);
+//! # Ok::<(), Error>(())
+//! ```
+
 mod heuristics;
 mod polygon;
 

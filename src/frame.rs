@@ -8,7 +8,7 @@ mod unit;
 
 pub use unit::Unit;
 
-use crate::arithmetic::Real;
+use crate::arithmetic::{Real, vector};
 use crate::block::{BLOCK, Block, Lanes};
 use crate::error::Error;
 use crate::map::{Density, Invert, Map};
@@ -28,6 +28,11 @@ use crate::map::{Density, Invert, Map};
 /// let [_, up, _] = lobe.sample([1 << 30, 3 << 30]);
 /// assert!(up > 0.0);
 /// assert!(Frame::new([0.0_f32, 2.0, 0.0]).is_err());
+/// // In flash.
+/// static DOWN: Frame<f32> = match Frame::<f32>::const_new([0.0, -1.0, 0.0]) {
+///     Ok(frame) => frame,
+///     Err(_) => panic!("not a unit vector"),
+/// };
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -139,6 +144,41 @@ impl<R: Real> From<Unit<R>> for Frame<R> {
         Self { x, y, z }
     }
 }
+
+macro_rules! const_frame {
+    ($float:ident) => {
+        impl Frame<$float> {
+            /// [`new`](Self::new), as a `const fn`: for a frame in a `static`.
+            ///
+            /// # Errors
+            /// Those of `new`.
+            pub const fn const_new(z: [$float; 3]) -> Result<Self, Error> {
+                match Unit::<$float>::const_new(z) {
+                    Ok(z) => Ok(Self::const_from(z)),
+                    Err(error) => Err(error),
+                }
+            }
+
+            /// [`normalized`](Self::normalized), as a `const fn`.
+            ///
+            /// # Errors
+            /// Those of `normalized`.
+            pub const fn const_normalized(vector: [$float; 3]) -> Result<Self, Error> {
+                match Unit::<$float>::const_normalized(vector) {
+                    Ok(z) => Ok(Self::const_from(z)),
+                    Err(error) => Err(error),
+                }
+            }
+
+            const fn const_from(z: Unit<$float>) -> Self {
+                let [x, y] = vector::$float::basis(z.get());
+                Self { x, y, z }
+            }
+        }
+    };
+}
+const_frame!(f32);
+const_frame!(f64);
 
 /// What is left of a vector across a unit vector.
 fn rejected<R: Real>(vector: [R; 3], axis: [R; 3]) -> [R; 3] {

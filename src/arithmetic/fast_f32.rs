@@ -104,6 +104,10 @@ impl FastF32 {
         [x, y, normal_sqrt(disc.one_minus_r2)]
     }
 
+    pub(crate) const fn prepared(e: f32) -> Result<FastExponent, Error> {
+        FastExponent::new(e)
+    }
+
     #[inline(always)]
     pub(crate) const fn lift_power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
         lobes::power(exponent, disc)
@@ -187,7 +191,7 @@ impl Arithmetic for FastF32 {
     }
 
     fn exponent(e: f32) -> Result<FastExponent, Error> {
-        FastExponent::new(e)
+        Self::prepared(e)
     }
 
     fn given(exponent: FastExponent) -> f32 {

@@ -25,6 +25,7 @@
 
 mod disc;
 mod disc_point;
+pub(crate) mod exponent;
 mod functions;
 mod inverse;
 pub(crate) mod length;

@@ -64,7 +64,7 @@ macro_rules! arithmetic_on_q15 {
 
         /// The kernels, as `const` functions.
         const _: () = {
-            use $crate::arithmetic::fixed::Q15;
+            use $crate::arithmetic::fixed::{FixedExponent, Q15};
             use $crate::arithmetic::q15::{disc, disc::Q15Disc, lobes, lobes::Q15Exponent};
 
             impl $arithmetic {
@@ -86,6 +86,10 @@ macro_rules! arithmetic_on_q15 {
                 #[inline(always)]
                 pub(crate) const fn lift_cosine(disc: Q15Disc) -> [Q15; 3] {
                     lobes::cosine(disc)
+                }
+
+                pub(crate) const fn prepared(e: FixedExponent) -> Result<Q15Exponent, $crate::Error> {
+                    Ok(Q15Exponent::new(e))
                 }
 
                 #[inline]
@@ -152,7 +156,7 @@ macro_rules! arithmetic_on_q15 {
                 }
 
                 fn exponent(parameter: FixedExponent) -> Result<Q15Exponent, $crate::Error> {
-                    Ok(Q15Exponent::new(parameter))
+                    Self::prepared(parameter)
                 }
 
                 fn given(exponent: Q15Exponent) -> FixedExponent {

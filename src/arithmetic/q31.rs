@@ -83,6 +83,10 @@ impl Q31 {
         [x, y, nearest(root(disc.one_minus_r2))]
     }
 
+    pub(crate) const fn prepared(e: FixedExponent) -> Result<Q31Exponent, Error> {
+        Ok(Q31Exponent::new(e))
+    }
+
     #[inline]
     pub(crate) const fn lift_power(exponent: Q31Exponent, disc: Q31Disc) -> [Self; 3] {
         power::lift(exponent, disc)
@@ -147,7 +151,7 @@ impl Arithmetic for Q31 {
     }
 
     fn exponent(parameter: FixedExponent) -> Result<Q31Exponent, Error> {
-        Ok(Q31Exponent::new(parameter))
+        Self::prepared(parameter)
     }
 
     fn given(exponent: Q31Exponent) -> FixedExponent {

@@ -5,7 +5,7 @@
 //! the reach, else 0, or a function of the distance that fades to 1 at the reach.
 
 use super::DirectionSample;
-use crate::arithmetic::{Arithmetic, Real, RealKernel};
+use crate::arithmetic::{Arithmetic, FastF32, Real, RealKernel, length};
 use crate::error::Error;
 use crate::frame::Frame;
 use crate::map::{Cosine, Density};
@@ -34,6 +34,19 @@ impl<A: Arithmetic> AmbientOcclusion<A> {
     #[must_use]
     pub const fn reach(&self) -> A::Real {
         self.reach
+    }
+}
+
+impl AmbientOcclusion<FastF32> {
+    /// [`new`](Self::new), as a `const fn`: for occlusion in a `static`.
+    ///
+    /// # Errors
+    /// Those of `new`.
+    pub const fn const_new(reach: f32) -> Result<Self, Error> {
+        match length::f32::distance(reach) {
+            Ok(reach) => Ok(Self { lobe: Cosine::new(), reach }),
+            Err(error) => Err(error),
+        }
     }
 }
 

@@ -7,7 +7,7 @@
 //! intensity along its axis, stays finite for a light of radius 0, which is a point.
 
 use super::{along, capped, reciprocal};
-use crate::arithmetic::{Arithmetic, Real, RealKernel, Root};
+use crate::arithmetic::{Arithmetic, FastF32, Real, RealKernel, Root, length};
 use crate::error::Error;
 use crate::frame::{Frame, Unit};
 use crate::map::{Concentric, Map};
@@ -80,6 +80,25 @@ impl<A: Arithmetic> DiscLight<A> {
     #[must_use]
     pub const fn is_two_sided(&self) -> bool {
         self.two_sided
+    }
+}
+
+impl DiscLight<FastF32> {
+    /// [`new`](Self::new), as a `const fn`: for a light in a `static`.
+    ///
+    /// # Errors
+    /// Those of `new`.
+    pub const fn const_new(
+        centre: [f32; 3],
+        frame: Frame<f32>,
+        radius: f32,
+    ) -> Result<Self, Error> {
+        let centre = match length::f32::centre(centre, radius) {
+            Ok(centre) => centre,
+            Err(error) => return Err(error),
+        };
+        let offset = length::f32::size(centre, frame.unit().get());
+        Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false, offset })
     }
 }
 

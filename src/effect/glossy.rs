@@ -6,7 +6,7 @@
 //! handle it.
 
 use super::{DirectionSample, along, capped};
-use crate::arithmetic::{Arithmetic, Real, RealKernel, Root};
+use crate::arithmetic::{Arithmetic, FastF32, Real, RealKernel, Root};
 use crate::error::Error;
 use crate::frame::{Frame, Unit};
 use crate::map::{Density, Power};
@@ -63,6 +63,19 @@ impl<A: Arithmetic> Glossy<A> {
     #[must_use]
     pub const fn below_horizon(&self) -> BelowHorizon {
         self.below
+    }
+}
+
+impl Glossy<FastF32> {
+    /// [`new`](Self::new), as a `const fn`: for a reflection in a `static`.
+    ///
+    /// # Errors
+    /// Those of `new`.
+    pub const fn const_new(exponent: f32, below: BelowHorizon) -> Result<Self, Error> {
+        match Power::<FastF32>::const_new(exponent) {
+            Ok(lobe) => Ok(Self { lobe, below }),
+            Err(error) => Err(error),
+        }
     }
 }
 

@@ -4,7 +4,7 @@
 //! Heitz, "A Low-Distortion Map Between Triangle and Square", 2019: no square root, and neighbours
 //! stay neighbours.
 
-use crate::arithmetic::{Arithmetic, Real, RealKernel};
+use crate::arithmetic::{Arithmetic, FastF32, Real, RealKernel};
 use crate::map::{Density, Invert, Map, Polar};
 
 /// The unit square onto a regular polygon of N corners on the unit circle; area ratios are kept.
@@ -41,6 +41,31 @@ impl<A: Arithmetic, const N: usize> Polygon<A, N> {
     }
 }
 
+impl<const N: usize> Polygon<FastF32, N> {
+    /// [`new`](Self::new), as a `const fn`: for an aperture in a `static`.
+    #[must_use]
+    pub const fn const_new(rotation: u32) -> Self {
+        let () = Self::AT_LEAST_3;
+        let mut corners = [[0.0; 2]; N];
+        let mut corner = 0;
+        while corner < N {
+            corners[corner] = FastF32::polar(place(corner, N, rotation));
+            corner += 1;
+        }
+        Self {
+            #[cfg(any(feature = "serde", feature = "defmt"))]
+            rotation,
+            corners,
+        }
+    }
+}
+
+/// The coordinates of a corner of n for the polar map.
+const fn place(corner: usize, n: usize, rotation: u32) -> [u32; 2] {
+    let turn = (((corner as u64) << 32) / n as u64) as u32;
+    [turn.wrapping_add(rotation), u32::MAX]
+}
+
 impl<A: Arithmetic<Real: Real>, const N: usize> Polygon<A, N> {
     const AT_LEAST_3: () = assert!(N >= 3, "a polygon has at least 3 corners");
 
@@ -48,10 +73,8 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Polygon<A, N> {
     #[must_use]
     pub fn new(rotation: u32) -> Self {
         let () = Self::AT_LEAST_3;
-        let corners: [_; N] = core::array::from_fn(|corner| {
-            let turn = (((corner as u64) << 32) / N as u64) as u32;
-            Polar::<A>::new().sample([turn.wrapping_add(rotation), u32::MAX])
-        });
+        let corners =
+            core::array::from_fn(|corner| Polar::<A>::new().sample(place(corner, N, rotation)));
         Self {
             #[cfg(any(feature = "serde", feature = "defmt"))]
             rotation,

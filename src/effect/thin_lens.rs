@@ -7,7 +7,7 @@
 //! the last bit.
 
 use super::{capped, reciprocal};
-use crate::arithmetic::Real;
+use crate::arithmetic::{Real, length};
 use crate::error::Error;
 use crate::map::{Density, Map};
 
@@ -68,6 +68,29 @@ impl<M, R: Copy> ThinLens<M, R> {
         self.focal_distance
     }
 }
+
+macro_rules! const_lens {
+    ($float:ident) => {
+        impl<M: Map<Point = [$float; 2]>> ThinLens<M, $float> {
+            /// [`new`](Self::new), as a `const fn`: for a lens in a `static`.
+            ///
+            /// # Errors
+            /// Those of `new`.
+            pub const fn const_new(
+                aperture: M,
+                radius: $float,
+                focal_distance: $float,
+            ) -> Result<Self, Error> {
+                match length::$float::nearness(radius, focal_distance) {
+                    Ok(nearness) => Ok(Self { aperture, radius, focal_distance, nearness }),
+                    Err(error) => Err(error),
+                }
+            }
+        }
+    };
+}
+const_lens!(f32);
+const_lens!(f64);
 
 impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
     /// A lens with a radius (0 for a pinhole) and a focal distance, which may be infinite.

@@ -1,6 +1,6 @@
 //! Unit vectors, checked once.
 
-use crate::arithmetic::Real;
+use crate::arithmetic::{Real, vector};
 use crate::error::Error;
 use core::ops::Neg;
 
@@ -49,6 +49,36 @@ impl<R: Real> Unit<R> {
         R::normalized(vector).map(Self)
     }
 }
+
+macro_rules! const_unit {
+    ($float:ident) => {
+        impl Unit<$float> {
+            /// [`new`](Self::new), as a `const fn`: for a vector in a `static`.
+            ///
+            /// # Errors
+            /// Those of `new`.
+            pub const fn const_new(vector: [$float; 3]) -> Result<Self, Error> {
+                match vector::$float::unit(vector) {
+                    Ok(unit) => Ok(Self(unit)),
+                    Err(error) => Err(error),
+                }
+            }
+
+            /// [`normalized`](Self::normalized), as a `const fn`.
+            ///
+            /// # Errors
+            /// Those of `normalized`.
+            pub const fn const_normalized(vector: [$float; 3]) -> Result<Self, Error> {
+                match vector::$float::normalized(vector) {
+                    Ok(unit) => Ok(Self(unit)),
+                    Err(error) => Err(error),
+                }
+            }
+        }
+    };
+}
+const_unit!(f32);
+const_unit!(f64);
 
 impl<R: Neg<Output = R>> Neg for Unit<R> {
     type Output = Self;

@@ -13,7 +13,9 @@ for_each_lobe!(modules);
 
 use super::disc::{Concentric, DiscMap, LoweredOf};
 use super::{Density, Invert, Map, sealed::Sealed};
-use crate::arithmetic::{Arithmetic, FloatBack, KernelOf, Root};
+use crate::arithmetic::{Arithmetic, FastF32, FloatBack, KernelOf, Root};
+#[cfg(feature = "fixed-point")]
+use crate::arithmetic::{FixedExponent, Q15, Q15Div, Q31};
 use crate::block::{Block, Lanes};
 use crate::error::Error;
 use crate::frame::{About, Frame};
@@ -65,13 +67,18 @@ pub type Cosine<A, D = Concentric<A>> = Hemisphere<CosineLobe<A>, D>;
 /// Cosine-power directions: density (e + 1) z^e / (2 pi) per steradian. `D` is the disc map below.
 ///
 /// ```
-/// use hemidisc::{LibmF32, Map, Polar, Power};
+/// use hemidisc::{FastF32, LibmF32, Map, Polar, Power};
 /// let lobe = Power::<LibmF32>::new(50.0)?;
 /// let [x, y, z] = lobe.sample([1 << 31, 1 << 30]);
 /// assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6);
 /// assert!(Power::<LibmF32>::new(-1.0).is_err());
 /// // Over the polar map it is the textbook's formula.
 /// let textbook = Power::over(50.0, Polar::<LibmF32>::new())?;
+/// // In flash, for FastF32 and fixed point.
+/// static LOBE: Power<FastF32> = match Power::<FastF32>::const_new(50.0) {
+///     Ok(lobe) => lobe,
+///     Err(_) => panic!("not an exponent"),
+/// };
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
 pub type Power<A, D = Concentric<A>> = Hemisphere<PowerLobe<A>, D>;
@@ -147,6 +154,41 @@ impl<A: Arithmetic, D: DiscMap<Arithmetic = A>> Hemisphere<PowerLobe<A>, D> {
         Ok(Self { lobe: PowerLobe::new(exponent)?, disc })
     }
 }
+
+/// The constructors of power lobes, as `const fn`, in the arithmetics whose kernels are.
+macro_rules! const_power {
+    ($arithmetic:ident, $parameter:ty) => {
+        impl Hemisphere<PowerLobe<$arithmetic>, Concentric<$arithmetic>> {
+            /// [`new`](Self::new), as a `const fn`: for a lobe in a `static`.
+            ///
+            /// # Errors
+            /// Those of `new`.
+            pub const fn const_new(exponent: $parameter) -> Result<Self, Error> {
+                Self::const_over(exponent, Concentric::new())
+            }
+        }
+
+        impl<D: DiscMap<Arithmetic = $arithmetic>> Hemisphere<PowerLobe<$arithmetic>, D> {
+            /// [`over`](Self::over), as a `const fn`.
+            ///
+            /// # Errors
+            /// Those of `over`.
+            pub const fn const_over(exponent: $parameter, disc: D) -> Result<Self, Error> {
+                match $arithmetic::prepared(exponent) {
+                    Ok(exponent) => Ok(Self { lobe: PowerLobe::of(exponent), disc }),
+                    Err(error) => Err(error),
+                }
+            }
+        }
+    };
+}
+const_power!(FastF32, f32);
+#[cfg(feature = "fixed-point")]
+const_power!(Q31, FixedExponent);
+#[cfg(feature = "fixed-point")]
+const_power!(Q15, FixedExponent);
+#[cfg(feature = "fixed-point")]
+const_power!(Q15Div, FixedExponent);
 
 impl<A: Arithmetic, D> Hemisphere<PowerLobe<A>, D> {
     /// The exponent as it was given.

@@ -11,6 +11,7 @@ mod lens;
 mod light;
 mod occlusion;
 mod polygon;
+mod statics;
 
 use hemidisc::arithmetic::{Real, Root};
 use hemidisc::sequence::{Sequence, SobolOwen};

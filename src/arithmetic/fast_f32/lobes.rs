@@ -1,10 +1,9 @@
 //! The lobes of fast f32: the power lobe and its exponent, and all three over a block of points.
 
-use super::back::Functions;
 use super::disc::{FastDisc, in_octant, less_gaps, root_to_1, to_places};
-use super::functions::{LN_MIN, exp, ln_complement, normal_sqrt};
+use super::functions::{LN_MIN, exp, ln_complement, normal_sqrt, sqrt};
 use crate::arithmetic::DiscKernel;
-use crate::arithmetic::float::PowerExponent;
+use crate::arithmetic::float::{PowerExponent, exponent};
 use crate::block::{BLOCK, Block, Lanes};
 use crate::error::Error;
 use crate::target::BRANCHES;
@@ -23,17 +22,21 @@ pub struct FastExponent {
 impl FastExponent {
     /// # Errors
     /// [`Error::Exponent`] for a value that is not a finite number above -1.
-    pub(super) fn new(e: f32) -> Result<Self, Error> {
-        let exact = PowerExponent::new::<Functions>(e)?;
+    pub(super) const fn new(e: f32) -> Result<Self, Error> {
+        let parts = match exponent::f32::plus_1(e) {
+            Ok(parts) => parts,
+            Err(error) => return Err(error),
+        };
+        let exact = PowerExponent::of_parts(e, parts, sqrt(2.0 / parts[0]));
         // From 2^42 on sin theta is proportional to 1 / sqrt(e + 1) in f32, and 1 - r^2 may be
         // 1 - 2^-64: the lobe is that of an exponent between 2^40 and 2^42, shrunk, so that nothing
         // underflows.
-        let e_plus_1 = f64::from(e) + 1.0;
+        let e_plus_1 = e as f64 + 1.0;
         let binade = e_plus_1.to_bits() >> 52;
         let k = binade.saturating_sub(1023 + 40) / 2;
         let inverse = f64::from_bits((1023 + 2 * k) << 52) / e_plus_1;
         let rate = inverse as f32;
-        let lost = ((inverse - f64::from(rate)) / inverse) as f32;
+        let lost = ((inverse - rate as f64) / inverse) as f32;
         let shrink = 1.0 / (1_u64 << k) as f32;
         Ok(Self { exact, rate, lost, shrink })
     }

@@ -21,15 +21,13 @@ impl<R: Real> PowerExponent<R> {
     /// # Errors
     /// [`Error::Exponent`] for a value that is not a finite number above -1.
     pub(in crate::arithmetic) fn new<T: Float<Real = R>>(e: R) -> Result<Self, Error> {
-        let e_plus_1 = e + R::ONE;
-        // No e above -1 rounds to e + 1 = 0; NaN fails the comparison.
-        if !(e_plus_1 > R::ZERO && e.finite()) {
-            return Err(Error::Exponent { value: e.into() });
-        }
-        // The two-sum (D. Knuth, TAOCP 4.2.2): e_plus_1 + lost is e + 1 exactly.
-        let one_part = e_plus_1 - e;
-        let lost = (e - (e_plus_1 - one_part)) + (R::ONE - one_part);
-        Ok(Self { e, e_plus_1, lost: lost / e_plus_1, spread: T::sqrt(R::TWO / e_plus_1) })
+        let [e_plus_1, lost] = R::plus_1(e)?;
+        Ok(Self::of_parts(e, [e_plus_1, lost], T::sqrt(R::TWO / e_plus_1)))
+    }
+
+    /// An exponent with what [`plus_1`](super::exponent) gives for it, and sqrt(2 / (e + 1)).
+    pub(in crate::arithmetic) const fn of_parts(e: R, [e_plus_1, lost]: [R; 2], spread: R) -> Self {
+        Self { e, e_plus_1, lost, spread }
     }
 
     /// e + 1, rounded.

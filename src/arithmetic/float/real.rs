@@ -1,6 +1,6 @@
 //! f32 and f64 as the kernels see them: constants, conversions from integers, and exact tests.
 
-use super::{length, vector};
+use super::{exponent, length, vector};
 use crate::coordinates::{centre_f32, centre_f64};
 use crate::error::Error;
 use core::fmt::{Debug, Display};
@@ -80,7 +80,7 @@ pub trait RealKernel: Copy + sealed::Sealed {
     /// The nearest number.
     fn nearest(x: f64) -> Self;
 
-    // The functions of `vector` and `length`, which are `const` on a type that is known.
+    // The functions of `vector`, `length` and `exponent`, which are `const` on a type that is known.
     fn dot(a: [Self; 3], b: [Self; 3]) -> Self;
     fn unit(vector: [Self; 3]) -> Result<[Self; 3], Error>;
     fn normalized(vector: [Self; 3]) -> Result<[Self; 3], Error>;
@@ -89,6 +89,7 @@ pub trait RealKernel: Copy + sealed::Sealed {
     fn nearness(radius: Self, focal_distance: Self) -> Result<Self, Error>;
     fn checked_centre(centre: [Self; 3], radius: Self) -> Result<[Self; 3], Error>;
     fn size(point: [Self; 3], normal: [Self; 3]) -> Self;
+    fn plus_1(e: Self) -> Result<[Self; 2], Error>;
 }
 
 mod sealed {
@@ -206,6 +207,9 @@ macro_rules! real {
             #[inline]
             fn size(point: [Self; 3], normal: [Self; 3]) -> Self {
                 length::$float::size(point, normal)
+            }
+            fn plus_1(e: Self) -> Result<[Self; 2], Error> {
+                exponent::$float::plus_1(e)
             }
         }
     };

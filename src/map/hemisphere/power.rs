@@ -19,6 +19,11 @@ impl<A: Arithmetic> PowerLobe<A> {
         Ok(Self { exponent: A::exponent(exponent)? })
     }
 
+    /// Of a checked exponent.
+    pub(super) const fn of(exponent: A::Exponent) -> Self {
+        Self { exponent }
+    }
+
     /// The exponent with its precomputed values.
     pub(crate) const fn prepared(&self) -> A::Exponent {
         self.exponent
