@@ -23,7 +23,7 @@ use super::real::{Real, RealKernel};
 pub(super) fn above<T: Float>(n: T::Real, sin: T::Real, cos2: T::Real) -> T::Real {
     let (one, two) = (T::Real::ONE, T::Real::TWO);
     let number = T::Real::nearest;
-    if !(cos2 > T::Real::ZERO) {
+    if cos2 <= T::Real::ZERO {
         return one;
     }
     let w = width::<T>(sin, cos2);
