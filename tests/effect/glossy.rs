@@ -152,6 +152,22 @@ fn a_sample_is_of_unit_length_and_has_its_density<A: Float>() {
     }
 }
 
+/// A vector of another length stands for its direction, and one without a direction for none.
+fn the_length_of_a_direction_does_not_count<A: Float>() {
+    let (down, up) = (unit::<A>(arriving(0.6).0), unit::<A>(UP));
+    for gloss in POLICIES.map(|below| gloss::<A>(20.0, below)) {
+        let direction = gloss.sample(down, up, [1 << 30, 1 << 30]).unwrap().direction;
+        let exact: f64 = gloss.density(down, up, direction).into();
+        for size in [1e-30, 0.5, 0.999, 1.001, 7.0, 1e30] {
+            let found = gloss.density(down, up, direction.map(|x| x * A::real(size))).into();
+            assert_near(found / exact, 1.0, 20.0 * A::EPS, "density");
+        }
+        for none in [[0.0; 3], [f64::NAN, 0.0, 1.0], [0.0, 0.0, f64::INFINITY]] {
+            assert_eq!(gloss.density(down, up, A::vector(none)).into(), 0.0, "{none:?}");
+        }
+    }
+}
+
 /// A density integrates over all directions to 1 for `Flip` and `Zero`, and for `Reject` to the
 /// share that is kept.
 fn densities_integrate_to_what_is_sampled<A: Float>() {
@@ -242,6 +258,6 @@ fn a_bad_exponent_is_refused<A: Float>() {
 each_float!(
     the_mean_cosine_is_that_of_the_lobe energy_is_accounted_for a_very_sharp_lobe_is_a_mirror
     both_sides_reflect a_sample_is_of_unit_length_and_has_its_density
-    densities_integrate_to_what_is_sampled the_share_that_is_kept_is_students
+    the_length_of_a_direction_does_not_count densities_integrate_to_what_is_sampled the_share_that_is_kept_is_students
     a_bad_exponent_is_refused
 );
