@@ -180,9 +180,10 @@ macro_rules! const_frame {
 const_frame!(f32);
 const_frame!(f64);
 
-/// What is left of a vector across a unit vector.
+/// What is left of a vector across another. A unit vector's length is within 8 ulp of 1, which a
+/// short rest would show.
 fn rejected<R: Real>(vector: [R; 3], axis: [R; 3]) -> [R; 3] {
-    let along = R::dot(vector, axis);
+    let along = R::dot(vector, axis) / R::dot(axis, axis);
     core::array::from_fn(|i| vector[i] - along * axis[i])
 }
 

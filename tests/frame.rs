@@ -190,6 +190,22 @@ fn a_tangent_makes_frames_continuous() {
     assert!(dot(turned(1e-6), turned(-1e-6)) < -0.99, "documented at Frame");
 }
 
+/// A normal at either end of what is taken to be of unit length, and a tangent almost along it.
+#[test]
+fn a_normal_within_16_ulp_has_an_orthonormal_frame() {
+    for size in [1.0 - 7.0 * f32::EPSILON, 1.0 + 7.0 * f32::EPSILON] {
+        let normal = Unit::new([-1e-7, size, 0.0]).unwrap();
+        assert_eq!(normal.get(), [-1e-7, size, 0.0]);
+        for tangent in [[-1e-7, 999_999.5, 0.6], [1.0, 1e5, 0.0], [0.3, 2.0, -7.0_f32]] {
+            if let Ok(frame) = Frame::with_tangent(normal, tangent) {
+                assert_orthonormal(frame);
+                assert_eq!(Frame::with_tangent(normal, frame.axes()[0]), Ok(frame));
+            }
+        }
+        assert!(Frame::with_tangent(normal, [-1e-7, 999_999.5, 0.6]).is_err());
+    }
+}
+
 /// However little a tangent leaves the normal, the frame is orthonormal, or there is none.
 #[test]
 fn a_tangent_along_the_normal_is_refused() {

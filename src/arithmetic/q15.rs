@@ -88,7 +88,9 @@ macro_rules! arithmetic_on_q15 {
                     lobes::cosine(disc)
                 }
 
-                pub(crate) const fn prepared(e: FixedExponent) -> Result<Q15Exponent, $crate::Error> {
+                pub(crate) const fn prepared(
+                    e: FixedExponent,
+                ) -> Result<Q15Exponent, $crate::Error> {
                     Ok(Q15Exponent::new(e))
                 }
 

@@ -147,11 +147,12 @@ impl<R: Real, M: Map<Point = [R; 2]>> ThinLens<M, R> {
             return self.radius;
         }
         let ratio = distance * self.nearness;
-        // Where the ratio overflows, a small radius may bring the product back.
+        // Where the ratio overflows, a small radius may bring the product back. f is below 1 then,
+        // so that the product grows to the end.
         let blur = if ratio.finite() {
             self.radius * (R::ONE - ratio)
         } else {
-            distance * (self.radius * self.nearness)
+            distance * self.radius * self.nearness
         };
         capped(blur.magnitude())
     }

@@ -120,6 +120,7 @@ pub fn blades<A: Root<Real: Real> + Tested, const N: usize>(input: &Input) {
     assert!(density >= 0.0 && density.is_finite(), "{}: {density}", what());
     let _ = polygon.invert([x, y]);
     let [x, y] = wide([x, y]);
-    let inside = x.hypot(y) <= 1.0 + room;
+    // A share of a corner may be 4 ulp over 1, and as much more as its blade is small.
+    let inside = x.hypot(y) <= 1.0 + room + 10.0 * eps::<A::Real>();
     assert!(inside || density == 0.0, "{}: {density} outside", what());
 }
