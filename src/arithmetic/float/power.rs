@@ -29,13 +29,20 @@ impl<R: Real> PowerExponent<R> {
         // The two-sum (D. Knuth, TAOCP 4.2.2): e_plus_1 + lost is e + 1 exactly.
         let one_part = e_plus_1 - e;
         let lost = (e - (e_plus_1 - one_part)) + (R::ONE - one_part);
-        Ok(Self { e, e_plus_1, lost: lost / e_plus_1, spread: T::sqrt(R::TWO / e_plus_1) })
+        Ok(Self { e, e_plus_1, lost: lost / e_plus_1, spread: spread::<T>(e_plus_1) })
     }
 
     /// The exponent as the user gave it.
     pub fn value(self) -> R {
         self.e
     }
+}
+
+/// sqrt(2 / (e + 1)). The quotient is scaled by a power of four, because it is subnormal at the
+/// largest exponents: a processor that flushes subnormal numbers to 0 would divide 0 by 0 later.
+fn spread<T: Float>(e_plus_1: T::Real) -> T::Real {
+    let scale = if e_plus_1 > T::Real::ONE { T::Real::EPSILON } else { T::Real::ONE };
+    T::sqrt(T::Real::TWO / (e_plus_1 * scale * scale)) * scale
 }
 
 /// ln z of a direction times e + 1, that is ln(1 - r^2) of its disc point: from z near the horizon,
@@ -100,4 +107,21 @@ pub(super) fn density<T: Float>(
     // for e < 0, so the density does not overflow.
     let log = exponent.e / exponent.e_plus_1 * log_one_minus_r2::<T>(exponent, direction);
     exponent.e_plus_1 * (T::Real::FRAC_1_PI * T::Real::HALF) * T::exp(log)
+}
+
+#[cfg(all(test, feature = "libm"))]
+mod tests {
+    use super::*;
+    use crate::arithmetic::LibmF32;
+
+    /// A quarter of e + 1 doubles the spread to the last bit where nothing is subnormal.
+    #[test]
+    fn spreads_of_the_largest_exponents_lose_nothing() {
+        for step in 0..1 << 16 {
+            let e_plus_1 = f32::from_bits(f32::MAX.to_bits() - step * 509);
+            let quarter = spread::<LibmF32>(e_plus_1 / 4.0);
+            assert!(quarter > 1e-20);
+            assert_eq!(spread::<LibmF32>(e_plus_1) * 2.0, quarter, "{e_plus_1:e}");
+        }
+    }
 }
