@@ -13,7 +13,7 @@ for_each_lobe!(modules);
 
 use super::disc::{Concentric, DiscMap, LoweredOf};
 use super::{Density, Invert, Map, sealed::Sealed};
-use crate::arithmetic::{Arithmetic, KernelOf};
+use crate::arithmetic::{Arithmetic, KernelOf, assert_rounds};
 use crate::block::{Block, Lanes};
 use crate::error::Error;
 use crate::frame::{About, Frame};
@@ -167,6 +167,7 @@ impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Map for Hemisphere<L, D> {
 impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Density for Hemisphere<L, D> {
     #[inline]
     fn density(&self, direction: Self::Point) -> Slot<L::Arithmetic> {
+        assert_rounds::<L::Arithmetic>();
         self.lobe.density(direction)
     }
 }
