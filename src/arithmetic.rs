@@ -68,6 +68,11 @@ pub trait Arithmetic:
     #[doc(hidden)]
     const POINTWISE: bool;
 
+    /// Whether its operations round to its numbers on this target. If not, the build fails where it
+    /// is used.
+    #[doc(hidden)]
+    const ROUNDS: bool = true;
+
     /// A component of a point, as stored.
     type Real: Copy + Debug + Default + PartialEq + Send + Sync + 'static;
 
@@ -260,6 +265,18 @@ pub trait DiscKernel {
 #[doc(hidden)]
 pub trait KernelOf<A: Arithmetic>: DiscKernel<Real = A::Real, Disc = A::Disc> {}
 impl<A: Arithmetic, D: DiscKernel<Real = A::Real, Disc = A::Disc>> KernelOf<A> for D {}
+
+/// Fails the build where an arithmetic would give other bits on this target than elsewhere.
+#[inline(always)]
+pub(crate) const fn assert_rounds<A: Arithmetic>() {
+    const {
+        assert!(
+            A::ROUNDS,
+            "x86 without SSE2 computes floats in registers of 80 bits, so points would differ from \
+             those of other machines: build with `-C target-feature=+sse2`, or take Q15 or Q31"
+        );
+    }
+}
 
 mod sealed {
     /// What seals [`Arithmetic`](super::Arithmetic).

@@ -62,6 +62,25 @@ impl Domain {
         Split { domain: self.child(key), ways }
     }
 
+    /// The two words that are all of a domain: for a checkpoint, or another language.
+    ///
+    /// ```
+    /// use hemidisc::Domain;
+    /// let lens = Domain::new(7).pixel(120, 64).child(0);
+    /// assert_eq!(Domain::from_words(lens.to_words()), lens);
+    /// ```
+    #[must_use]
+    pub const fn to_words(self) -> [u32; 2] {
+        self.state
+    }
+
+    /// The domain of two words that [`to_words`](Self::to_words) gave. Any other two are a domain
+    /// as well.
+    #[must_use]
+    pub const fn from_words(words: [u32; 2]) -> Self {
+        Self { state: words }
+    }
+
     /// A well-mixed seed for a sequence that takes one.
     #[must_use]
     pub const fn seed(self) -> u32 {

@@ -48,6 +48,14 @@ macro_rules! arithmetics {
 }
 for_each_arithmetic!(arithmetics);
 
+// Their types and traits are part of the interface.
+#[cfg(feature = "heapless")]
+pub use heapless;
+#[cfg(feature = "rand")]
+pub use rand;
+#[cfg(feature = "rand_core")]
+pub use rand_core;
+
 pub use coordinates::Coordinates;
 pub use domain::Domain;
 pub use error::{Axis, Error};

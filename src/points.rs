@@ -89,11 +89,12 @@ impl<S: Sequence, M: Map> Points<S, M> {
     }
 
     /// The coordinates of all points in order: candidates for rejection, or for a map of one's own.
+    /// Its `nth` is O(1) from both ends, as that of [`iter`](Self::iter).
     pub fn iter_coordinates(
         &self,
     ) -> impl ExactSizeIterator<Item = [u32; 2]> + DoubleEndedIterator + FusedIterator + Clone {
         let Self { sequence, start, len, .. } = *self;
-        (0..len).map(move |index| sequence.at(start.wrapping_add(index)))
+        Iter { points: Points { sequence, map: Cells, start, len } }
     }
 
     /// The points in order.
@@ -211,6 +212,19 @@ impl<S: Sequence, M: Map> IntoIterator for &Points<S, M> {
 
     fn into_iter(self) -> Iter<S, M> {
         self.iter()
+    }
+}
+
+/// The coordinates themselves.
+#[derive(Clone, Copy, Debug)]
+struct Cells;
+
+impl Map for Cells {
+    type Point = [u32; 2];
+
+    #[inline(always)]
+    fn sample(&self, uv: [u32; 2]) -> [u32; 2] {
+        uv
     }
 }
 

@@ -56,6 +56,8 @@ pub trait Sequence: Copy {
     fn at(&self, index: u32) -> [u32; 2];
 
     /// The points from index `start` on, without end; the index wraps after `u32::MAX`.
+    ///
+    /// `nth`, and so `skip` and `step_by`, are O(1) for every sequence of this crate.
     #[inline(always)]
     fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
         looked_up(*self, start)
@@ -107,12 +109,36 @@ pub const fn grid(count: u32) -> [u32; 2] {
 /// The points from an index on, each by its index.
 #[inline(always)]
 fn looked_up<S: Sequence>(sequence: S, start: u32) -> impl Iterator<Item = [u32; 2]> {
-    let mut index = start;
-    core::iter::repeat_with(move || {
-        let point = sequence.at(index);
-        index = index.wrapping_add(1);
-        point
-    })
+    LookedUp { sequence, index: start }
+}
+
+/// The points of a sequence, each by its index.
+struct LookedUp<S> {
+    sequence: S,
+    index: u32,
+}
+
+impl<S: Sequence> Iterator for LookedUp<S> {
+    type Item = [u32; 2];
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<[u32; 2]> {
+        let point = self.sequence.at(self.index);
+        self.index = self.index.wrapping_add(1);
+        Some(point)
+    }
+
+    /// Indices wrap, so a count is taken modulo 2^32.
+    #[inline]
+    fn nth(&mut self, n: usize) -> Option<[u32; 2]> {
+        self.index = self.index.wrapping_add(n as u32);
+        self.next()
+    }
+
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (usize::MAX, None)
+    }
 }
 
 /// The check that a set without a grid is not empty.

@@ -1,5 +1,6 @@
 //! Tables of points that the compiler computes, for a `static` in flash.
 
+#[cfg(not(all(target_arch = "x86", not(target_feature = "sse2"))))]
 use crate::arithmetic::FastF32;
 #[cfg(feature = "fixed-point")]
 use crate::arithmetic::{Q15, Q15Div, Q31};
@@ -174,6 +175,7 @@ macro_rules! const_maps {
         }
     };
 }
+#[cfg(not(all(target_arch = "x86", not(target_feature = "sse2"))))]
 const_maps!(FastF32, f32);
 #[cfg(feature = "fixed-point")]
 const_maps!(Q31, Q31);

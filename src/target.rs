@@ -12,6 +12,12 @@ compile_error!("hemidisc counts points in u32 and needs a usize of at least 32 b
 /// microcontroller the arrays of a block cost more than they save.
 pub(crate) const BLOCKED: bool = cfg!(not(any(target_arch = "arm", target_arch = "riscv32")));
 
+/// Whether an operation of floats rounds to their type. On x86 before SSE2 the compiler computes in
+/// x87's registers of 80 bits and rounds where it happens to store: points would differ from those
+/// of other machines, and a fill from a single point of the same program.
+pub(crate) const ROUNDS_FLOATS: bool =
+    cfg!(not(all(target_arch = "x86", not(target_feature = "sse2"))));
+
 /// Whether a branch costs less than the operations that avoid it: where nothing becomes vector
 /// code. With branches the kernels of fast f32 take a third fewer instructions on the M3 and M4F.
 pub(crate) const BRANCHES: bool = !BLOCKED;

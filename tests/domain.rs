@@ -183,3 +183,18 @@ fn a_shuffle_keeps_aligned_blocks() {
         (0..1000).map(|key| index(Shuffled::new(Sobol::new(0), Domain::new(key)).at(0))).collect();
     assert_eq!(starts.len(), 1000, "orders of different domains start alike");
 }
+
+/// A checkpoint: the words of a domain are all of it.
+#[test]
+fn words_are_the_whole_domain() {
+    for i in 0..1000 {
+        let words = [mix(i), mix(!i)];
+        let domain = Domain::from_words(words);
+        assert_eq!(domain.to_words(), words);
+        let made = Domain::new(i).pixel(i, 3).child(2);
+        let again = Domain::from_words(made.to_words());
+        assert_eq!((again, again.child(1)), (made, made.child(1)));
+        assert_eq!(again.stream().at(5), made.stream().at(5));
+        assert_eq!(SobolOwen::in_domain(again).at(5), SobolOwen::in_domain(made).at(5));
+    }
+}

@@ -2,6 +2,7 @@
 //! any order, give what the same operations on a slice of all points give.
 #![cfg(feature = "libm")]
 
+use hemidisc::bits::hash::mix;
 use hemidisc::sequence::{
     Correlated, Halton, Hammersley, Jittered, R2, Random, Shuffled, Sobol, SobolOwen, Stored,
 };
@@ -111,6 +112,23 @@ fn the_last_index_is_reached() {
     assert_eq!(set.len(), 8);
     assert!(set.range(8..8).is_ok() && set.range(8..9).is_err() && set.take(9).is_err());
     assert!(Points::with_range(Hammersley::new(8).unwrap(), map, 4..9).is_err());
+}
+
+/// Point by point this would take an hour.
+#[test]
+fn coordinates_are_sought() -> Result<(), Error> {
+    let all = Points::with_range(SobolOwen::new(3), Concentric::<FastF32>::new(), 5..u32::MAX)?;
+    for index in (0..1000).map(|i| mix(i) >> 1) {
+        let (front, back) = (all.iter_coordinates(), all.iter_coordinates());
+        assert_eq!(front.clone().nth(index as usize), all.coordinates(index));
+        let from_the_end = all.len() - 1 - index;
+        assert_eq!(back.clone().nth_back(index as usize), all.coordinates(from_the_end));
+        let step = (index as usize).max(1 << 20);
+        let steps = front.step_by(step).collect::<Vec<_>>();
+        let expected = (0..all.len()).step_by(step).map(|i| all.coordinates(i).unwrap());
+        assert!(expected.eq(steps), "every {step}");
+    }
+    Ok(())
 }
 
 #[test]

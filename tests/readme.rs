@@ -1,4 +1,5 @@
-//! The README's table of contracts is the one in the code.
+//! The README's table of contracts is the one in the code, and its features name the versions of
+//! the manifest.
 //!
 //! To write it anew: `HEMIDISC_BLESS=1 cargo test --all-features --test readme`.
 
@@ -45,5 +46,25 @@ fn the_contracts_are_as_printed() {
         std::fs::write(&path, text).unwrap();
     } else {
         assert_eq!(printed, expected);
+    }
+}
+
+/// The table of features says which version of a crate a feature is for, as far as it decides
+/// whether two are compatible.
+#[test]
+fn features_name_their_versions() {
+    let read = |name| std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(name));
+    let (manifest, readme) = (read("Cargo.toml").unwrap(), read("README.md").unwrap());
+    let (_, dependencies) = manifest.split_once("\n[dependencies]\n").unwrap();
+    let (dependencies, _) = dependencies.split_once("\n\n").unwrap();
+    for line in dependencies.lines() {
+        let (name, rest) = line.split_once(" = ").unwrap();
+        let version = rest.split('"').nth(1).unwrap();
+        let mut parts = version.split('.');
+        let (major, minor) = (parts.next().unwrap(), parts.next().unwrap());
+        let row = readme.lines().find(|row| row.starts_with(&format!("| `{name}` |"))).unwrap();
+        let named = [format!("`{name}` {major} |"), format!("`{name}` {major}.{minor} |")];
+        let compatible = &named[usize::from(major == "0")..];
+        assert!(compatible.iter().any(|named| row.contains(named)), "{line}: {row}");
     }
 }

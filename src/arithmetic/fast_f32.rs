@@ -34,7 +34,7 @@ mod tests;
 use super::{Arithmetic, DiscPoint, KernelOf, Root, sealed::Sealed};
 use crate::block::{Block, Lanes};
 use crate::error::Error;
-use crate::target::BRANCHES;
+use crate::target::{BRANCHES, ROUNDS_FLOATS};
 use back::Functions;
 use disc::FastDisc;
 use functions::normal_sqrt;
@@ -55,6 +55,7 @@ use lobes::FastExponent;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FastF32;
 
+#[cfg(not(all(target_arch = "x86", not(target_feature = "sse2"))))]
 impl FastF32 {
     /// The concentric map: what [`Concentric`](crate::Concentric) gives, as a `const fn`.
     #[must_use]
@@ -133,6 +134,7 @@ impl Arithmetic for FastF32 {
     const NAME: &'static str = "fast-f32";
     const ABSOLUTE_DENSITY: bool = true;
     const POINTWISE: bool = false;
+    const ROUNDS: bool = ROUNDS_FLOATS;
 
     type Real = f32;
     type Disc = FastDisc;

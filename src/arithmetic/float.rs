@@ -41,6 +41,7 @@ pub use real::{Real, RealKernel};
 
 use super::{Arithmetic, Back, sealed::Sealed};
 use crate::error::Error;
+use crate::target::ROUNDS_FLOATS;
 use disc::{FloatDisc, scaled};
 use inverse::Lowered;
 
@@ -90,6 +91,7 @@ impl<T: Float> Arithmetic for T {
     const NAME: &'static str = T::NAME;
     const ABSOLUTE_DENSITY: bool = true;
     const POINTWISE: bool = true;
+    const ROUNDS: bool = ROUNDS_FLOATS;
 
     type Real = T::Real;
     type Disc = FloatDisc<T::Real>;

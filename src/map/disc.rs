@@ -88,7 +88,7 @@ macro_rules! disc_map {
         }
 
         const _: () = {
-            use $crate::arithmetic::{Arithmetic, Back, DiscKernel};
+            use $crate::arithmetic::{Arithmetic, Back, DiscKernel, assert_rounds};
             use $crate::block::{Block, Lanes};
             use $crate::map::disc::{DiscMap, LoweredOf};
             use $crate::map::{Density, Invert, Map, sealed::Sealed};
@@ -100,11 +100,13 @@ macro_rules! disc_map {
 
                 #[inline(always)]
                 fn sample(&self, uv: [u32; 2]) -> [A::Real; 2] {
+                    assert_rounds::<A>();
                     A::$point(uv)
                 }
 
                 #[inline(always)]
                 fn sample_block(&self, u: &Block, v: &Block, out: &mut [Lanes<A::Real>; 2]) {
+                    assert_rounds::<A>();
                     A::disc_block::<Self>(u, v, out);
                 }
             }
@@ -112,6 +114,7 @@ macro_rules! disc_map {
             impl<A: Arithmetic> Density for $map<A> {
                 #[inline]
                 fn density(&self, point: [A::Real; 2]) -> A::Real {
+                    assert_rounds::<A>();
                     A::Back::disc_density(point)
                 }
             }
@@ -119,6 +122,7 @@ macro_rules! disc_map {
             impl<A: Arithmetic> Invert for $map<A> {
                 #[inline]
                 fn invert(&self, point: [A::Real; 2]) -> [u32; 2] {
+                    assert_rounds::<A>();
                     A::Back::$invert(A::Back::lower_disc(point))
                 }
             }
@@ -129,11 +133,13 @@ macro_rules! disc_map {
 
                 #[inline(always)]
                 fn disc(uv: [u32; 2]) -> A::Disc {
+                    assert_rounds::<A>();
                     A::$kernel(uv)
                 }
 
                 #[inline(always)]
                 fn point(uv: [u32; 2]) -> [A::Real; 2] {
+                    assert_rounds::<A>();
                     A::$point(uv)
                 }
             }
@@ -145,6 +151,7 @@ macro_rules! disc_map {
 
                 #[inline]
                 fn invert_lowered(lowered: LoweredOf<A>) -> [u32; 2] {
+                    assert_rounds::<A>();
                     A::Back::$invert(lowered)
                 }
             }

@@ -13,7 +13,7 @@ for_each_lobe!(modules);
 
 use super::disc::{Concentric, DiscMap, LoweredOf};
 use super::{Density, Invert, Map, sealed::Sealed};
-use crate::arithmetic::{Arithmetic, FastF32, FloatBack, KernelOf, Root};
+use crate::arithmetic::{Arithmetic, FastF32, FloatBack, KernelOf, Root, assert_rounds};
 #[cfg(feature = "fixed-point")]
 use crate::arithmetic::{FixedExponent, Q15, Q15Div, Q31};
 use crate::block::{Block, Lanes};
@@ -225,6 +225,7 @@ impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Map for Hemisphere<L, D> {
 impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Density for Hemisphere<L, D> {
     #[inline]
     fn density(&self, direction: Self::Point) -> Slot<L::Arithmetic> {
+        assert_rounds::<L::Arithmetic>();
         self.lobe.density(direction)
     }
 }

@@ -1,7 +1,7 @@
 //! The unit square itself as a map: coordinates as numbers.
 
 use super::{Density, Invert, Map};
-use crate::arithmetic::{Arithmetic, Back};
+use crate::arithmetic::{Arithmetic, Back, assert_rounds};
 use core::marker::PhantomData;
 
 /// The identity: coordinates as numbers in [0, 1), rounded toward zero.
@@ -21,6 +21,7 @@ impl<A: Arithmetic> Map for UnitSquare<A> {
 
     #[inline(always)]
     fn sample(&self, uv: [u32; 2]) -> [A::Real; 2] {
+        assert_rounds::<A>();
         A::square(uv)
     }
 }
@@ -28,6 +29,7 @@ impl<A: Arithmetic> Map for UnitSquare<A> {
 impl<A: Arithmetic> Density for UnitSquare<A> {
     #[inline]
     fn density(&self, point: [A::Real; 2]) -> A::Real {
+        assert_rounds::<A>();
         A::Back::square_density(point)
     }
 }
@@ -35,6 +37,7 @@ impl<A: Arithmetic> Density for UnitSquare<A> {
 impl<A: Arithmetic> Invert for UnitSquare<A> {
     #[inline]
     fn invert(&self, point: [A::Real; 2]) -> [u32; 2] {
+        assert_rounds::<A>();
         A::Back::invert_square(point)
     }
 }

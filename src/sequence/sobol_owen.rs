@@ -159,16 +159,42 @@ impl Sequence for SobolOwen {
     /// itself alone.
     #[inline(always)]
     fn iter(&self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let (sequence, mut index) = (*self, start);
-        let mut even = sequence.reversed(start & !1);
-        core::iter::repeat_with(move || {
-            if index & 1 == 0 {
-                even = sequence.reversed(index);
-            }
-            let point = sequence.scrambled(even.map(|axis| axis ^ index & 1));
-            index = index.wrapping_add(1);
-            point
-        })
+        InPairs { sequence: *self, index: start, even: self.reversed(start & !1) }
+    }
+}
+
+/// The points from an index on.
+struct InPairs {
+    sequence: SobolOwen,
+    index: u32,
+    /// The reversed coordinates of the index or, if that is odd, of the one before.
+    even: [u32; 2],
+}
+
+impl Iterator for InPairs {
+    type Item = [u32; 2];
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<[u32; 2]> {
+        if self.index & 1 == 0 {
+            self.even = self.sequence.reversed(self.index);
+        }
+        let point = self.sequence.scrambled(self.even.map(|axis| axis ^ self.index & 1));
+        self.index = self.index.wrapping_add(1);
+        Some(point)
+    }
+
+    /// Indices wrap, so a count is taken modulo 2^32.
+    #[inline]
+    fn nth(&mut self, n: usize) -> Option<[u32; 2]> {
+        self.index = self.index.wrapping_add(n as u32);
+        self.even = self.sequence.reversed(self.index & !1);
+        self.next()
+    }
+
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (usize::MAX, None)
     }
 }
 

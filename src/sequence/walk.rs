@@ -57,16 +57,8 @@ pub(super) trait Walk: Sequence {
 
     /// [`Sequence::iter`].
     #[inline(always)]
-    fn walk(self, start: u32) -> impl Iterator<Item = [u32; 2]> {
-        let (mut state, mut left, mut next) = (Self::State::default(), 0, start);
-        core::iter::repeat_with(move || {
-            if left == 0 {
-                (state, left) = self.stretch(next);
-                next = next.wrapping_add(left);
-            }
-            left -= 1;
-            self.step(&mut state)
-        })
+    fn walk(self, start: u32) -> Walking<Self> {
+        Walking { sequence: self, state: Self::State::default(), left: 0, next: start }
     }
 
     /// [`Sequence::fill_with`]: the loop over a stretch has one branch a point.
@@ -82,6 +74,44 @@ pub(super) trait Walk: Sequence {
             next = next.wrapping_add(now.len() as u32);
             slots = rest;
         }
+    }
+}
+
+/// The points of a sequence that walks, without end.
+pub(super) struct Walking<S: Walk> {
+    sequence: S,
+    /// Gives `left` more points, up to index `next`.
+    state: S::State,
+    left: u32,
+    next: u32,
+}
+
+impl<S: Walk> Iterator for Walking<S> {
+    type Item = [u32; 2];
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<[u32; 2]> {
+        if self.left == 0 {
+            (self.state, self.left) = self.sequence.stretch(self.next);
+            self.next = self.next.wrapping_add(self.left);
+        }
+        self.left -= 1;
+        Some(self.sequence.step(&mut self.state))
+    }
+
+    /// Seeks: O(1). Indices wrap, so a count is taken modulo 2^32.
+    #[inline]
+    fn nth(&mut self, n: usize) -> Option<[u32; 2]> {
+        if n > 0 {
+            self.next = self.next.wrapping_sub(self.left).wrapping_add(n as u32);
+            self.left = 0;
+        }
+        self.next()
+    }
+
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (usize::MAX, None)
     }
 }
 

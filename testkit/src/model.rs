@@ -89,6 +89,13 @@ fn check_against<S: Sequence, M: Map<Point: PartialEq + Debug>>(
     assert_eq!(folded, model.as_slice());
     let left = iter.as_points();
     assert!(left.iter_coordinates().map(|uv| left.map().sample(uv)).eq(folded.iter().copied()));
+    for skip in [0, 1, 7, model.len()] {
+        let mapped = |uv: Option<[u32; 2]>| uv.map(|uv| left.map().sample(uv));
+        let (mut front, mut back) = (left.iter_coordinates(), left.iter_coordinates());
+        assert_eq!(mapped(front.nth(skip)), model.clone().nth(skip).copied());
+        assert_eq!(mapped(back.nth_back(skip)), model.clone().nth_back(skip).copied());
+        assert_eq!((front.len(), back.len()), [model.len().saturating_sub(skip + 1); 2].into());
+    }
     let array = left.to_array::<17>();
     assert_eq!(array.ok().as_ref().map(|array| &array[..]), model.as_slice().get(..17));
     in_vectors(left, model.as_slice());

@@ -37,6 +37,27 @@ fn assert_access(sequence: impl Sequence, what: &str) {
     }
 }
 
+/// `nth` seeks: point by point these would be 10^12 steps.
+fn assert_seeks(sequence: impl Sequence, what: &str) {
+    for start in [0, 5, 64, u32::MAX - 2] {
+        for n in [0, 1, 2, 63, 700, 20_000_000, 0x7fff_fffe, 0xffff_ffff_usize] {
+            let mut points = sequence.iter(start);
+            let mut index = start;
+            for again in [0, 1, 2] {
+                index = index.wrapping_add(n as u32);
+                let expected = [index, index.wrapping_add(1)].map(|i| Some(sequence.at(i)));
+                let got = [points.nth(n), points.next()];
+                assert_eq!(got, expected, "{what}: nth({n}) from {start}, {again} before");
+                index = index.wrapping_add(2);
+            }
+        }
+        let steps: Vec<_> = sequence.iter(start).step_by(300_000_001).take(20).collect();
+        let expected =
+            (0..20).map(|i| sequence.at(start.wrapping_add(300_000_001_u32.wrapping_mul(i))));
+        assert!(expected.eq(steps), "{what}: every 300,000,001st from {start}");
+    }
+}
+
 /// After the last index comes the first.
 fn assert_wraps(sequence: impl Sequence, what: &str) {
     let wrapped: Vec<_> = sequence.iter(u32::MAX - 1).take(4).collect();
@@ -55,9 +76,11 @@ impl SequenceVisitor for Access {
         let what = format!("{name} of {}, seed {:#x}", self.count, self.seed);
         assert_access(sequence, &what);
         assert_wraps(sequence, &what);
+        assert_seeks(sequence, &what);
         let shuffled = Shuffled::new(sequence, Domain::new(self.seed));
         assert_access(shuffled, &format!("shuffled {what}"));
         assert_wraps(shuffled, &format!("shuffled {what}"));
+        assert_seeks(shuffled, &format!("shuffled {what}"));
         self.seen.push(name);
     }
 }
@@ -83,6 +106,7 @@ fn stored() {
         assert!((0..count).all(|i| stored.at(i as u32) == points[i]), "{what}");
         assert_access(stored, &what);
         assert_wraps(stored, &what);
+        assert_seeks(stored, &what);
         assert_access(Shuffled::new(stored, Domain::new(1)), &format!("shuffled {what}"));
     }
 }

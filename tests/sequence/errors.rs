@@ -2,9 +2,7 @@
 
 use hemidisc::{
     Error,
-    sequence::{
-        Correlated, Hammersley, Jittered, MultiJittered, NRooks, Regular, Sequence, Stored,
-    },
+    sequence::{Correlated, Hammersley, Jittered, MultiJittered, NRooks, Regular, Stored},
 };
 
 fn refused<T>(result: Result<T, Error>) -> String {

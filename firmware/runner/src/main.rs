@@ -90,7 +90,8 @@ fn main() -> ExitCode {
 fn run() -> Result<()> {
     let arguments = Arguments::parse();
     if arguments.library {
-        return tools::build_library();
+        tools::build_library()?;
+        return tools::build_x87();
     }
     tools::check()?;
     let mut report = Report::new(tools::compiler(&CORES[0])?);

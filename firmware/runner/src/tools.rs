@@ -115,3 +115,22 @@ pub fn build_library() -> Result<()> {
     }
     Ok(())
 }
+
+/// On an x86 without SSE2 integers build, and floats are refused with the reason.
+pub fn build_x87() -> Result<()> {
+    const TARGET: &str = "i586-unknown-linux-gnu";
+    let build = |features: &str| -> Result<std::process::Output> {
+        let (mut cargo, extra) = cargo(TARGET)?;
+        cargo.current_dir(workspace().join("x87")).args(["build", "--quiet", "--locked"]);
+        cargo.args(extra).args(["--target", TARGET, "--target-dir", "../../target/bare-metal"]);
+        cargo.args(["--features", features]).output().with_context(|| format!("{cargo:?}"))
+    };
+    let (integers, floats) = (build("")?, build("floats")?);
+    let [said, refusal] =
+        [integers.stderr, floats.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+    ensure!(integers.status.success(), "{TARGET}: {said}");
+    ensure!(!floats.status.success(), "{TARGET}: floats are not refused");
+    ensure!(refusal.contains("x86 without SSE2"), "{TARGET}: another refusal: {refusal}");
+    println!("{TARGET}: integers built, floats refused");
+    Ok(())
+}

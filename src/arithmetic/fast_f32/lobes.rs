@@ -1,7 +1,7 @@
 //! The lobes of fast f32: the power lobe and its exponent, and all three over a block of points.
 
 use super::disc::{FastDisc, in_octant, less_gaps, root_to_1, to_places};
-use super::functions::{LN_MIN, exp, ln_complement, normal_sqrt, sqrt};
+use super::functions::{exp, ln_complement, normal_sqrt, sqrt};
 use crate::arithmetic::DiscKernel;
 use crate::arithmetic::float::{PowerExponent, exponent};
 use crate::block::{BLOCK, Block, Lanes};
@@ -27,7 +27,8 @@ impl FastExponent {
             Ok(parts) => parts,
             Err(error) => return Err(error),
         };
-        let exact = PowerExponent::of_parts(e, parts, sqrt(2.0 / parts[0]));
+        let [square, scale] = exponent::f32::spread(parts[0]);
+        let exact = PowerExponent::of_parts(e, parts, sqrt(square) * scale);
         // From 2^42 on sin theta is proportional to 1 / sqrt(e + 1) in f32, and 1 - r^2 may be
         // 1 - 2^-64: the lobe is that of an exponent between 2^40 and 2^42, shrunk, so that nothing
         // underflows.
@@ -67,6 +68,10 @@ pub(super) const fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
     [x, y, z]
 }
 
+/// Below the logarithm of the smallest normal number by more than all errors, so that z becomes that
+/// number, whether a processor flushes subnormal results to 0 or not.
+const LN_BELOW_MIN: f32 = -87.34;
+
 /// sin^2 theta 4^k, which exceeds 1 by rounding at most, and z = cos theta, from ln(1 - r^2).
 ///
 /// With z = exp(l), sin^2 theta = 1 - z^2 = (1 - z) (1 + z), and 1 - z is accurate near the pole.
@@ -74,7 +79,7 @@ pub(super) const fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
 pub(super) const fn elevation(exponent: FastExponent, log: f32) -> [f32; 2] {
     let log = log * exponent.rate;
     // Below e = 0 the exact z underflows in the last cells.
-    let log = if log > LN_MIN { log } else { LN_MIN };
+    let log = if log > LN_BELOW_MIN { log } else { LN_BELOW_MIN };
     let [z, gap] = exp(log, exponent.lost);
     let z = if z > f32::MIN_POSITIVE { z } else { f32::MIN_POSITIVE };
     [gap * (1.0 + z), z]

@@ -20,6 +20,14 @@ macro_rules! exponents {
                 let lost = (e - (e_plus_1 - one_part)) + (1.0 - one_part);
                 Ok([e_plus_1, lost / e_plus_1])
             }
+
+            /// 2 / (e + 1) / scale^2, and the scale, a power of two. Without it the quotient is
+            /// subnormal at the largest exponents: a processor that flushes subnormal numbers to 0
+            /// would divide 0 by 0 later.
+            pub const fn spread(e_plus_1: $float) -> [$float; 2] {
+                let scale = if e_plus_1 > 1.0 { $float::EPSILON } else { 1.0 };
+                [2.0 / (e_plus_1 * scale * scale), scale]
+            }
         }
     };
 }

@@ -22,7 +22,7 @@ impl<R: Real> PowerExponent<R> {
     /// [`Error::Exponent`] for a value that is not a finite number above -1.
     pub(in crate::arithmetic) fn new<T: Float<Real = R>>(e: R) -> Result<Self, Error> {
         let [e_plus_1, lost] = R::plus_1(e)?;
-        Ok(Self::of_parts(e, [e_plus_1, lost], T::sqrt(R::TWO / e_plus_1)))
+        Ok(Self::of_parts(e, [e_plus_1, lost], spread::<T>(e_plus_1)))
     }
 
     /// An exponent with what [`plus_1`](super::exponent) gives for it, and sqrt(2 / (e + 1)).
@@ -39,6 +39,12 @@ impl<R: Real> PowerExponent<R> {
     pub fn value(self) -> R {
         self.e
     }
+}
+
+/// sqrt(2 / (e + 1)).
+fn spread<T: Float>(e_plus_1: T::Real) -> T::Real {
+    let [square, scale] = T::Real::spread(e_plus_1);
+    T::sqrt(square) * scale
 }
 
 /// ln z of a direction times e + 1, that is ln(1 - r^2) of its disc point: from z near the horizon,
@@ -103,4 +109,21 @@ pub(super) fn density<T: Float>(
     // for e < 0, so the density does not overflow.
     let log = exponent.e / exponent.e_plus_1 * log_one_minus_r2::<T>(exponent, direction);
     exponent.e_plus_1 * (T::Real::FRAC_1_PI * T::Real::HALF) * T::exp(log)
+}
+
+#[cfg(all(test, feature = "libm"))]
+mod tests {
+    use super::*;
+    use crate::arithmetic::LibmF32;
+
+    /// A quarter of e + 1 doubles the spread to the last bit where nothing is subnormal.
+    #[test]
+    fn spreads_of_the_largest_exponents_lose_nothing() {
+        for step in 0..1 << 16 {
+            let e_plus_1 = f32::from_bits(f32::MAX.to_bits() - step * 509);
+            let quarter = spread::<LibmF32>(e_plus_1 / 4.0);
+            assert!(quarter > 1e-20);
+            assert_eq!(spread::<LibmF32>(e_plus_1) * 2.0, quarter, "{e_plus_1:e}");
+        }
+    }
 }

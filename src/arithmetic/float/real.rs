@@ -90,6 +90,7 @@ pub trait RealKernel: Copy + sealed::Sealed {
     fn checked_centre(centre: [Self; 3], radius: Self) -> Result<[Self; 3], Error>;
     fn size(point: [Self; 3], normal: [Self; 3]) -> Self;
     fn plus_1(e: Self) -> Result<[Self; 2], Error>;
+    fn spread(e_plus_1: Self) -> [Self; 2];
 }
 
 mod sealed {
@@ -210,6 +211,9 @@ macro_rules! real {
             }
             fn plus_1(e: Self) -> Result<[Self; 2], Error> {
                 exponent::$float::plus_1(e)
+            }
+            fn spread(e_plus_1: Self) -> [Self; 2] {
+                exponent::$float::spread(e_plus_1)
             }
         }
     };

@@ -4,7 +4,7 @@
 //! centre, (2m + 1)^2 + (2n + 1)^2 <= 2^64 is m (m + 1) + n (n + 1) < 2^62. About 1 - pi/4 = 21.5 %
 //! of the candidates are lost, and with them the strata of a stratified set.
 
-use crate::arithmetic::{Arithmetic, Back};
+use crate::arithmetic::{Arithmetic, Back, assert_rounds};
 use crate::coordinates::fold;
 use crate::error::Error;
 use core::iter::Take;
@@ -97,6 +97,7 @@ impl<A: Arithmetic> Rejection<A> {
     #[must_use]
     #[inline]
     pub fn sample(uv: [u32; 2]) -> Option<[A::Real; 2]> {
+        assert_rounds::<A>();
         Self::inside(uv).then(|| A::centred(uv))
     }
 
@@ -104,6 +105,7 @@ impl<A: Arithmetic> Rejection<A> {
     #[must_use]
     #[inline]
     pub fn density(point: [A::Real; 2]) -> A::Real {
+        assert_rounds::<A>();
         A::Back::disc_density(point)
     }
 
@@ -111,6 +113,7 @@ impl<A: Arithmetic> Rejection<A> {
     #[must_use]
     #[inline]
     pub fn invert(point: [A::Real; 2]) -> [u32; 2] {
+        assert_rounds::<A>();
         A::Back::invert_centred(point)
     }
 }
