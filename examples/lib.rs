@@ -2,6 +2,7 @@
 
 mod failure;
 pub mod gallery;
+pub mod maps;
 pub mod messages;
 pub mod progress;
 pub mod refusal;

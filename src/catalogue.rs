@@ -182,6 +182,26 @@ macro_rules! arithmetics {
 }
 for_each_arithmetic!(arithmetics);
 
+macro_rules! disc_maps {
+    ($($file:ident $map:ident $name:literal;)*) => {
+        /// The names of all disc maps.
+        pub const DISC_MAPS: &[&str] = &[$($name),*];
+    };
+}
+for_each_disc_map!(disc_maps);
+
+macro_rules! lobe_names {
+    ($($file:ident $type:ident $over:ident $name:literal ($($taken:ident)?);)*) => {
+        /// The names of all lobes.
+        pub const LOBES: &[&str] = &[$($name),*];
+
+        /// The names of the lobes that take an exponent.
+        pub const POWER_LOBES: &[&str] = &[$($(lobe_names!(@ $taken $name),)?)*];
+    };
+    (@ exponent $name:literal) => { $name };
+}
+for_each_lobe!(lobe_names);
+
 macro_rules! effects {
     ($($file:ident $effect:ident $name:literal;)*) => {
         /// The names of all effects.

@@ -45,27 +45,39 @@ macro_rules! made_by {
 
 /// The arithmetics: file, type, name, and whether it is of floats, which effects take.
 ///
-/// For the tests: how many bits of a coordinate it reads, the error of its density at a given point,
-/// and the crate whose version decides its bytes.
+/// For the tests and the boards, in parentheses:
+///
+/// - `const` kernels, of which tables can be made, or `runtime` ones;
+/// - what the boards have of effects in it: `nothing`, `digests`, `fills` too, or `pictures` too;
+/// - how many bits of a coordinate it reads;
+/// - the error of its density at a given point;
+/// - the crate whose version decides its bytes.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! for_each_arithmetic {
     ($callback:ident $($first:tt)*) => {
         $callback! { $($first)*
             #[cfg(feature = "libm")]
-            libm_f64 LibmF64 "libm-f64" float (32, f64::EPSILON / 2.0, Some("libm"));
+            libm_f64 LibmF64 "libm-f64" float
+                (runtime digests, 32, f64::EPSILON / 2.0, Some("libm"));
             #[cfg(feature = "libm")]
-            libm_f32 LibmF32 "libm-f32" float (32, f32::EPSILON as f64 / 2.0, Some("libm"));
+            libm_f32 LibmF32 "libm-f32" float
+                (runtime fills, 32, f32::EPSILON as f64 / 2.0, Some("libm"));
             #[cfg(all())]
-            fast_f32 FastF32 "fast-f32" float (32, f32::EPSILON as f64 / 2.0, None);
+            fast_f32 FastF32 "fast-f32" float
+                (const pictures, 32, f32::EPSILON as f64 / 2.0, None);
             #[cfg(feature = "micromath")]
-            micromath_f32 MicromathF32 "micromath-f32" float (32, 1e-4, Some("micromath"));
+            micromath_f32 MicromathF32 "micromath-f32" float
+                (runtime pictures, 32, 1e-4, Some("micromath"));
             #[cfg(feature = "fixed-point")]
-            q31 Q31 "q31" fixed (32, 1.0 / 2_147_483_648.0, None);
+            q31 Q31 "q31" fixed
+                (const nothing, 32, 1.0 / 2_147_483_648.0, None);
             #[cfg(feature = "fixed-point")]
-            q15 Q15 "q15" fixed (16, 1.0 / 32_768.0, None);
+            q15 Q15 "q15" fixed
+                (const nothing, 16, 1.0 / 32_768.0, None);
             #[cfg(feature = "fixed-point")]
-            q15_div Q15Div "q15-div" fixed (16, 1.0 / 32_768.0, None);
+            q15_div Q15Div "q15-div" fixed
+                (const nothing, 16, 1.0 / 32_768.0, None);
         }
     };
 }

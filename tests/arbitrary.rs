@@ -8,12 +8,12 @@ use hemidisc::domain::{Split, Stream};
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
 use hemidisc::frame::About;
 use hemidisc::sequence::{
-    Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sequence,
-    Shuffled, Sobol, SobolOwen,
+    self, Correlated, Hammersley, Jittered, NRooks, Regular, Sequence, Shuffled, Sobol,
 };
 use hemidisc::{
     Axis, Concentric, Coordinates, Cosine, Domain, FastF32, Frame, Invert, LibmF32, LibmF64,
-    Points, Polar, Power, Q15, Q31, Uniform, Unit, UnitSquare, invariant,
+    Points, Power, Q15, Q31, Unit, UnitSquare, for_each_disc_map, for_each_lobe, for_each_sequence,
+    hemisphere, invariant,
 };
 use proptest::prelude::*;
 use std::fmt::Debug;
@@ -50,28 +50,37 @@ where
     assert_eq!(invariant::disc(&made::<M>(bytes), uv), Ok(()));
 }
 
+macro_rules! sequences {
+    ($bytes:ident $($file:ident $sequence:ident $name:literal $kind:ident $new:ident $parts:tt;)*) => {
+        $(set::<sequence::$sequence>($bytes);)*
+    };
+}
+
+macro_rules! discs {
+    ($bytes:ident $uv:ident $($file:ident $map:ident $name:literal;)*) => {
+        $(disc::<hemidisc::disc::$map<LibmF32>>($bytes, $uv);)*
+    };
+}
+
+/// Every lobe over every disc map.
+macro_rules! lobes {
+    ($bytes:ident $uv:ident $($file:ident $type:ident $over:ident $name:literal $taken:tt;)*) => {
+        $(for_each_disc_map!(over $bytes $uv $over);)*
+    };
+}
+
+macro_rules! over {
+    ($bytes:ident $uv:ident $over:ident $($file:ident $map:ident $name:literal;)*) => {
+        $(lobe::<hemisphere::$over<LibmF32, hemidisc::disc::$map<LibmF32>>>($bytes, $uv);)*
+    };
+}
+
 fn valid(bytes: &[u8], uv: [u32; 2]) {
-    set::<Regular>(bytes);
-    set::<Random>(bytes);
-    set::<Jittered>(bytes);
-    set::<NRooks>(bytes);
-    set::<MultiJittered>(bytes);
-    set::<Correlated>(bytes);
-    set::<Hammersley>(bytes);
-    set::<Halton>(bytes);
-    set::<Sobol>(bytes);
-    set::<SobolOwen>(bytes);
-    set::<R2>(bytes);
+    for_each_sequence!(sequences bytes);
     set::<Shuffled<Correlated>>(bytes);
-    disc::<Concentric<LibmF32>>(bytes, uv);
-    disc::<Polar<LibmF32>>(bytes, uv);
+    for_each_disc_map!(discs bytes uv);
     disc::<Polygon<LibmF32, 5>>(bytes, uv);
-    lobe::<Uniform<LibmF32>>(bytes, uv);
-    lobe::<Uniform<LibmF32, Polar<LibmF32>>>(bytes, uv);
-    lobe::<Cosine<LibmF32>>(bytes, uv);
-    lobe::<Cosine<LibmF32, Polar<LibmF32>>>(bytes, uv);
-    lobe::<Power<LibmF32>>(bytes, uv);
-    lobe::<Power<LibmF32, Polar<LibmF32>>>(bytes, uv);
+    for_each_lobe!(lobes bytes uv);
     assert_eq!(invariant::hemisphere(&made::<Power<Q15>>(bytes), uv), Ok(()));
     assert_eq!(invariant::hemisphere(&made::<Power<LibmF64>>(bytes), uv), Ok(()));
     let points: Points<Hammersley, UnitSquare<FastF32>> = made(bytes);

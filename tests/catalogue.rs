@@ -52,11 +52,13 @@ fn every_sequence_is_listed() {
     // What takes points of the caller's, and what sequences share, has no place in a list of what
     // makes points.
     let others = ["stored", "shuffled", "rng", "walk"];
-    let listed = names.0.iter().map(|name| match *name {
-        "nrooks" => "n_rooks".to_string(),
-        name => name.replace('-', "_"),
-    });
-    let expected: BTreeSet<_> = listed.chain(others.map(String::from)).collect();
+    macro_rules! listed {
+        ($($file:ident $sequence:ident $name:literal $kind:ident $new:ident $parts:tt;)*) => {
+            [$(stringify!($file)),*]
+        };
+    }
+    let listed = hemidisc::for_each_sequence!(listed);
+    let expected: BTreeSet<_> = listed.into_iter().chain(others).map(String::from).collect();
     assert_eq!(files("sequence"), expected);
 }
 
@@ -80,7 +82,7 @@ fn every_arithmetic_is_listed() {
 #[cfg(feature = "libm")]
 #[test]
 fn every_map_is_listed() {
-    use hemidisc::catalogue::{MapVisitor, maps, power_maps};
+    use hemidisc::catalogue::{DISC_MAPS, LOBES, MapVisitor, POWER_LOBES, maps, power_maps};
     use hemidisc::{LibmF32, Map};
     #[derive(Default)]
     struct Maps {
@@ -103,6 +105,12 @@ fn every_map_is_listed() {
     let lobes = files("map/hemisphere");
     let pairs = lobes.iter().flat_map(|lobe| discs.iter().map(|d| (lobe.clone(), d.clone())));
     assert_eq!(found.lobes, pairs.collect());
+    let names = |list: &[&str]| list.iter().map(|name| (*name).to_owned()).collect();
+    assert_eq!((names(DISC_MAPS), names(LOBES)), (discs.clone(), lobes));
+    let mut powers = Maps::default();
+    power_maps::<LibmF32>(1.0, &mut powers).unwrap();
+    let powers: BTreeSet<_> = powers.lobes.into_iter().map(|(lobe, _)| lobe).collect();
+    assert_eq!(names(POWER_LOBES), powers);
 }
 
 struct Sizes(Vec<Option<u32>>);

@@ -9,9 +9,17 @@
 #![cfg(feature = "libm")]
 
 use hemidisc::catalogue::AVAILABLE_ARITHMETICS;
+#[cfg(feature = "micromath")]
+use hemidisc::{
+    FastF32,
+    arithmetic::{Arithmetic, Real, Root},
+    catalogue::EFFECTS,
+};
 use std::fmt::Write;
 use std::path::Path;
 use testkit::arithmetics::Tested;
+#[cfg(feature = "micromath")]
+use testkit::arithmetics::{EachRoot, every_root};
 use testkit::golden::lines;
 #[cfg(feature = "micromath")]
 use testkit::golden::{bare, effects, render};
@@ -42,33 +50,45 @@ fn domains_are_as_recorded() {
     compare("domain.txt", &text);
 }
 
+/// An effect has lines of its own: its name alone, or before a space or a comma.
+#[cfg(feature = "micromath")]
+fn has_lines(text: &str, arithmetic: &str, effect: &str) {
+    let start = format!("{arithmetic} {effect}");
+    let mut rest = text.lines().filter_map(|line| line.strip_prefix(&start));
+    assert!(rest.any(|rest| rest.starts_with([' ', ','])), "{start} has no line");
+}
+
 #[cfg(feature = "micromath")]
 #[test]
 fn effects_are_as_recorded() {
-    use hemidisc::{FastF32, LibmF32, LibmF64, MicromathF32};
     let mut text = format!("# libm {}, micromath {}\n", locked("libm"), locked("micromath"));
-    let mut line = |line: std::fmt::Arguments| writeln!(text, "{line}").unwrap();
-    effects::effects::<FastF32>(&mut line).unwrap();
-    effects::effects::<MicromathF32>(&mut line).unwrap();
-    effects::effects::<LibmF32>(&mut line).unwrap();
-    effects::effects::<LibmF64>(&mut line).unwrap();
+    effects::file(&mut |line| writeln!(text, "{line}").unwrap()).unwrap();
     compare("effects.txt", &text);
+    struct Named<'a>(&'a str);
+    impl EachRoot for Named<'_> {
+        fn each<A: Root<Real: Real> + Tested>(&mut self) {
+            for effect in EFFECTS {
+                has_lines(self.0, A::NAME, effect);
+            }
+        }
+    }
+    every_root(&mut Named(&text));
 }
 
 #[cfg(feature = "micromath")]
 #[test]
 fn pictures_are_as_recorded() {
-    use hemidisc::{FastF32, MicromathF32};
     let mut text = format!("# micromath {}\n", locked("micromath"));
-    let mut line = |line: std::fmt::Arguments| writeln!(text, "{line}").unwrap();
-    render::digests::<FastF32>(&mut line).unwrap();
-    render::digests::<MicromathF32>(&mut line).unwrap();
+    render::file(&mut |line| writeln!(text, "{line}").unwrap()).unwrap();
     compare("render.txt", &text);
+    for effect in EFFECTS {
+        has_lines(&text, FastF32::NAME, effect);
+    }
 }
 
 /// Without effects the picture is that of the renderer without them, bit for bit.
 #[cfg(feature = "micromath")]
-fn absent_effects_leave_no_trace<A: hemidisc::arithmetic::Root>() {
+fn absent_effects_leave_no_trace<A: Root>() {
     render::with_bare::<A>(|scene| {
         for y in 0..render::SIZE[1] {
             let [mut found, mut bare] = [[[A::Real::default(); 3]; render::SIZE[0] as usize]; 2];
@@ -82,13 +102,7 @@ fn absent_effects_leave_no_trace<A: hemidisc::arithmetic::Root>() {
 }
 
 #[cfg(feature = "micromath")]
-#[test]
-fn a_picture_without_effects_is_that_of_a_renderer_without_them() {
-    absent_effects_leave_no_trace::<hemidisc::LibmF64>();
-    absent_effects_leave_no_trace::<hemidisc::LibmF32>();
-    absent_effects_leave_no_trace::<hemidisc::FastF32>();
-    absent_effects_leave_no_trace::<hemidisc::MicromathF32>();
-}
+testkit::test_each_float!(absent_effects_leave_no_trace);
 
 /// The version of a dependency that the lock file pins.
 fn locked(name: &str) -> &'static str {

@@ -3,6 +3,7 @@
 #![cfg(all(feature = "libm", feature = "fixed-point", feature = "serde"))]
 
 use hemidisc::arithmetic::FixedExponent;
+use hemidisc::catalogue::Parameters;
 use hemidisc::effect::{
     AmbientOcclusion, BelowHorizon, DirectionSample, DiscLight, Glossy, LensRay, LightSample,
     Polygon, ThinLens,
@@ -10,12 +11,12 @@ use hemidisc::effect::{
 use hemidisc::frame::About;
 use hemidisc::invariant::Violation;
 use hemidisc::sequence::{
-    Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Shuffled,
-    Sobol, SobolOwen,
+    self, Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular,
+    Shuffled, Sobol, SobolOwen,
 };
 use hemidisc::{
     Axis, Concentric, Coordinates, Cosine, Domain, Error, FastF32, Frame, LibmF32, LibmF64, Map,
-    Points, Polar, Power, Q15, Q15Div, Q31, Uniform, Unit, UnitSquare,
+    Points, Polar, Power, Q15, Q15Div, Q31, Uniform, Unit, UnitSquare, for_each_sequence, made_by,
 };
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -60,6 +61,24 @@ fn domains_are_kept() {
     }
     let text = ron::to_string(&Domain::new(7)).unwrap();
     written(Domain::new(7).stream(), &format!("(domain:{text})"));
+}
+
+macro_rules! kept_sequences {
+    ($parameters:ident
+        $($file:ident $sequence:ident $name:literal $kind:ident $new:ident($($part:ident),*);)*
+    ) => {$(
+        let made = sequence::$sequence::$new($($parameters.$part),*);
+        kept(made_by!($kind made));
+    )*};
+}
+
+#[test]
+fn every_sequence_is_kept() -> Result<(), Error> {
+    for seed in [0, 1, 7, 0x1234_5678, u32::MAX] {
+        let parameters = Parameters::new(36, seed);
+        for_each_sequence!(kept_sequences parameters);
+    }
+    Ok(())
 }
 
 #[test]

@@ -1,80 +1,81 @@
 //! Tables that the compiler computes are, byte for byte, what the iterator gives.
 
 use hemidisc::arithmetic::Arithmetic;
-use hemidisc::sequence::{
-    Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sobol,
-    SobolOwen,
-};
-use hemidisc::{Concentric, FastF32, Points, Polar, table};
+use hemidisc::catalogue::Parameters;
+use hemidisc::sequence::{self, Hammersley};
+use hemidisc::{Error, FastF32, Points, disc, table};
 
 const COUNT: usize = 35;
 
-/// One set as the macro takes it, and as a value.
+/// For a table of the sequence of a list's line, through every disc map.
+///
+/// `table!` takes calls of `new`, which for a seed is `in_domain` of the seed's domain.
 macro_rules! same {
-    ($arithmetic:ty, [$($set:tt)*], $sequence:expr) => {
-        static CONCENTRIC: [[<$arithmetic as Arithmetic>::Real; 2]; COUNT] =
-            table!(Concentric<$arithmetic>, $($set)*, COUNT);
-        static POLAR: [[<$arithmetic as Arithmetic>::Real; 2]; COUNT] =
-            table!(Polar<$arithmetic>, $($set)*, COUNT);
-        let points = Points::new($sequence, Concentric::<$arithmetic>::new());
-        assert_eq!(points.to_array(), Ok(CONCENTRIC), stringify!($arithmetic $($set)*));
-        let points = Points::new($sequence, Polar::<$arithmetic>::new());
-        assert_eq!(points.to_array(), Ok(POLAR), stringify!($arithmetic $($set)*));
+    ($arithmetic:ident $parameters:ident $sequence:ident total in_domain(domain)) => {
+        let points = sequence::$sequence::in_domain($parameters.domain);
+        hemidisc::for_each_disc_map! {
+            through $arithmetic points [$sequence::new($parameters.seed)]
+        }
     };
-}
-
-/// Every sequence through both maps of one arithmetic.
-macro_rules! every_sequence {
-    ($test:ident, $arithmetic:ty) => {
-        #[test]
-        fn $test() {
-            {
-                same!($arithmetic, [Regular::new(5, 7)?], Regular::new(5, 7).unwrap());
-            }
-            {
-                same!($arithmetic, [Random::new(3)], Random::new(3));
-            }
-            {
-                same!($arithmetic, [Jittered::new(5, 7, 3)?], Jittered::new(5, 7, 3).unwrap());
-            }
-            {
-                same!($arithmetic, [NRooks::new(35, 3)?], NRooks::new(35, 3).unwrap());
-            }
-            {
-                same!(
-                    $arithmetic,
-                    [MultiJittered::new(5, 7, 3)?],
-                    MultiJittered::new(5, 7, 3).unwrap()
-                );
-            }
-            {
-                same!($arithmetic, [Correlated::new(5, 7, 3)?], Correlated::new(5, 7, 3).unwrap());
-            }
-            {
-                same!($arithmetic, [Hammersley::new(35)?], Hammersley::new(35).unwrap());
-            }
-            {
-                same!($arithmetic, [Halton::new()], Halton::new());
-            }
-            {
-                same!($arithmetic, [Sobol::new(0)], Sobol::new(0));
-            }
-            {
-                same!($arithmetic, [SobolOwen::new(3)], SobolOwen::new(3));
-            }
-            {
-                same!($arithmetic, [R2::new(3)], R2::new(3));
-            }
+    ($arithmetic:ident $parameters:ident $sequence:ident total new($($part:ident),*)) => {
+        let points = sequence::$sequence::new($($parameters.$part),*);
+        hemidisc::for_each_disc_map! {
+            through $arithmetic points [$sequence::new($($parameters.$part),*)]
+        }
+    };
+    ($arithmetic:ident $parameters:ident $sequence:ident checked new($($part:ident),*)) => {
+        let points = sequence::$sequence::new($($parameters.$part),*)?;
+        hemidisc::for_each_disc_map! {
+            through $arithmetic points [$sequence::new($($parameters.$part),*)?]
         }
     };
 }
-every_sequence!(fast_f32, FastF32);
-#[cfg(feature = "fixed-point")]
-every_sequence!(q31, hemidisc::Q31);
-#[cfg(feature = "fixed-point")]
-every_sequence!(q15, hemidisc::Q15);
-#[cfg(feature = "fixed-point")]
-every_sequence!(q15_div, hemidisc::Q15Div);
+
+/// A sequence as a value, and as the macro takes it.
+macro_rules! through {
+    ($arithmetic:ident $points:ident $set:tt $($file:ident $map:ident $name:literal;)*) => {
+        $(through!(@ $arithmetic $points $set $map);)*
+    };
+    (@ $arithmetic:ident $points:ident [$($set:tt)*] $map:ident) => {{
+        static TABLE: [[<hemidisc::$arithmetic as Arithmetic>::Real; 2]; COUNT] =
+            table!($map<hemidisc::$arithmetic>, $($set)*, COUNT);
+        let points = Points::new($points, disc::$map::<hemidisc::$arithmetic>::new());
+        let what = stringify!($map $arithmetic $($set)*);
+        assert_eq!(points.to_array(), Ok(TABLE), "{what}");
+    }};
+}
+
+/// Every sequence through the maps of an arithmetic.
+macro_rules! every_sequence {
+    ($arithmetic:ident $parameters:ident
+        $($file:ident $sequence:ident $name:literal $kind:ident $new:ident $parts:tt;)*) => {
+        $({
+            use sequence::$sequence;
+            same!($arithmetic $parameters $sequence $kind $new $parts);
+        })*
+    };
+}
+
+/// A test of each arithmetic whose kernels are `const`.
+macro_rules! tables {
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident
+        ($form:ident $($facts:tt)*);)*) => {
+        $(tables! { $form #[$cfg] $file $arithmetic })*
+    };
+    (const #[$cfg:meta] $file:ident $arithmetic:ident) => {
+        #[$cfg]
+        #[test]
+        fn $file() -> Result<(), Error> {
+            const UNSEEDED: Parameters = Parameters::new(COUNT as u32, 0);
+            const SEEDED: Parameters = Parameters::new(COUNT as u32, 3);
+            hemidisc::for_each_sequence!(every_sequence $arithmetic UNSEEDED);
+            hemidisc::for_each_sequence!(every_sequence $arithmetic SEEDED);
+            Ok(())
+        }
+    };
+    (runtime #[$cfg:meta] $file:ident $arithmetic:ident) => {};
+}
+hemidisc::for_each_arithmetic!(tables);
 
 #[test]
 fn a_set_of_so_many_points_goes_by_its_name() {

@@ -51,7 +51,8 @@ fn placed(kind: &str, e: f64, [x, y]: [f64; 2], s2: f64, z: Option<f64>) -> [f64
     let within = match (kind, z) {
         ("uniform", Some(z)) => 1.0 - z,
         ("power", Some(z)) => -((e + 1.0) * z.ln()).exp_m1(),
-        _ => s2,
+        ("disc" | "cosine", _) => s2,
+        _ => panic!("no share is known of {kind}"),
     };
     [within, (y.atan2(x) / TAU).rem_euclid(1.0)]
 }

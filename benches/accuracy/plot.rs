@@ -36,6 +36,12 @@ const ERRORS: Range<f64> = -16.4..-2.0;
 
 /// The text of the SVG file.
 pub fn pareto(rows: &[Row]) -> Result<String, Box<dyn Error>> {
+    let drawn = |row: &&Row| {
+        MAPS.contains(&row.map) && ARITHMETICS.iter().any(|(name, _)| *name == row.arithmetic)
+    };
+    if let Some(Row { map, arithmetic, .. }) = rows.iter().find(|row| !drawn(row)) {
+        return Err(format!("the plot has no place for {map} in {arithmetic}").into());
+    }
     plate(SIZE, |sheet| {
         sheet.bold("What accuracy costs", [24.0, 28.0], 22.0, Align::Left)?;
         let what = "Largest error of a component of a point, of a disc or sphere of radius 1, against the cost of the point.";

@@ -2,11 +2,15 @@
 
 use crate::frontier::{CORES, HOST, Mark, frontier, marks};
 use crate::measure::{Board, Error, Row};
+use hemidisc::catalogue::LOBES;
 use std::error;
 use std::fs;
 use std::path::Path;
 
-const MAPS: [&str; 4] = ["disc", "uniform", "cosine", "power"];
+/// The disc and the lobes over it, in the order of the rows.
+fn maps() -> impl Iterator<Item = &'static str> {
+    ["disc"].into_iter().chain(LOBES.iter().copied())
+}
 
 /// Cells of a line that do not depend on a machine: name and accuracy.
 const ACCURACY: usize = 7;
@@ -57,7 +61,7 @@ pub fn choices(rows: &[Row]) -> String {
          | --- | --- | --- |\n",
     );
     for machine in [HOST].into_iter().chain(CORES) {
-        for map in MAPS {
+        for map in maps() {
             let own: Vec<_> =
                 rows.iter().filter(|row| row.map == map && row.disc == "concentric").collect();
             let choices: Vec<_> = frontier(&marks(&own, machine))
@@ -77,7 +81,7 @@ fn sorted(rows: &[Row]) -> Vec<&Row> {
     let mut sorted: Vec<_> = rows.iter().collect();
     let error = |row: &Row| row.position.max * row.unit;
     sorted.sort_by(|a, b| {
-        let place = |row: &Row| (MAPS.iter().position(|map| *map == row.map), row.disc);
+        let place = |row: &Row| (maps().position(|map| map == row.map), row.disc);
         place(a).cmp(&place(b)).then(error(a).total_cmp(&error(b)))
     });
     sorted

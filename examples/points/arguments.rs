@@ -4,10 +4,10 @@
 
 use crate::Failure;
 use clap::builder::PossibleValuesParser;
-use clap::{CommandFactory, Parser, ValueEnum};
-use examples::refusal;
+use clap::{CommandFactory, Parser};
+use examples::{maps, refusal};
 use hemidisc::arithmetic::Arithmetic;
-use hemidisc::catalogue::{ARITHMETICS, AVAILABLE_ARITHMETICS, SEQUENCES};
+use hemidisc::catalogue::{ARITHMETICS, AVAILABLE_ARITHMETICS, DISC_MAPS, SEQUENCES};
 use std::num::NonZeroU32;
 use std::str::FromStr;
 
@@ -44,12 +44,12 @@ pub(crate) struct Arguments {
     seed: Option<u32>,
 
     /// Where the coordinates go; the square prints them as they are
-    #[arg(long, value_enum)]
-    pub(crate) map: MapName,
+    #[arg(long, value_name = "MAP", value_parser = PossibleValuesParser::new(maps::all()))]
+    pub(crate) map: String,
 
     /// Disc map below a hemisphere map [default: concentric]
-    #[arg(long, value_enum)]
-    disc: Option<DiscName>,
+    #[arg(long, value_name = "DISC", value_parser = PossibleValuesParser::new(DISC_MAPS))]
+    disc: Option<String>,
 
     /// Exponent of hemisphere-power: a finite number above -1; in fixed point 0 <= e < 4294967296
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
@@ -80,37 +80,6 @@ pub(crate) struct Arguments {
     pub(crate) raw: bool,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum MapName {
-    Square,
-    DiscRejection,
-    DiscPolar,
-    DiscConcentric,
-    HemisphereUniform,
-    HemisphereCosine,
-    HemispherePower,
-}
-
-impl MapName {
-    pub(crate) fn is_square(self) -> bool {
-        self == Self::Square
-    }
-
-    fn is_hemisphere(self) -> bool {
-        matches!(self, Self::HemisphereUniform | Self::HemisphereCosine | Self::HemispherePower)
-    }
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-pub(crate) enum DiscName {
-    Polar,
-    Concentric,
-}
-
-/// Arithmetics that the command line has a name for, whether or not this build has them.
-const NAMED: [&str; 7] =
-    ["libm-f64", "libm-f32", "fast-f32", "micromath-f32", "q31", "q15", "q15-div"];
-
 const COUNT: &str = "an integer 1..=4294967295";
 const INDEX: &str = "an integer 0..=4294967295";
 const EXPONENT: &str = "a finite number above -1";
@@ -129,8 +98,8 @@ impl Arguments {
         self.seed.unwrap_or(0)
     }
 
-    pub(crate) fn disc(&self) -> DiscName {
-        self.disc.unwrap_or(DiscName::Concentric)
+    pub(crate) fn disc(&self) -> &str {
+        self.disc.as_deref().unwrap_or("concentric")
     }
 
     /// The exponent, checked even where the map does not use it.
@@ -150,13 +119,11 @@ impl Arguments {
 
     /// A line for each argument that is accepted without an effect.
     pub(crate) fn notes(&self) -> Vec<String> {
-        let map = self.map.to_possible_value();
-        let map = map.as_ref().map_or("", |value| value.get_name());
-        let on_map = format!("--map {map}");
-        let power = self.map == MapName::HemispherePower;
+        let on_map = format!("--map {}", self.map);
+        let [disc, exponent] = [maps::is_hemisphere(&self.map), maps::takes_exponent(&self.map)];
         let unused = [
-            ("--disc", self.disc.is_some() && !self.map.is_hemisphere(), on_map.as_str()),
-            ("--exponent", self.exponent.is_some() && !power, on_map.as_str()),
+            ("--disc", self.disc.is_some() && !disc, on_map.as_str()),
+            ("--exponent", self.exponent.is_some() && !exponent, on_map.as_str()),
             ("--count", self.count.is_some() && self.stdin, "--stdin"),
             ("--start", self.start.is_some() && self.stdin, "--stdin"),
             ("--seed", self.seed.is_some() && self.stdin, "--stdin"),
@@ -170,8 +137,6 @@ impl Arguments {
         let name = &self.arithmetic;
         let wrong = if ARITHMETICS.contains(&name.as_str()) {
             "needs a feature that this build does not have"
-        } else if NAMED.contains(&name.as_str()) {
-            "is not built yet"
         } else {
             "is not an arithmetic"
         };
@@ -179,9 +144,9 @@ impl Arguments {
     }
 }
 
-pub(crate) fn missing_exponent<A: Arithmetic>() -> String {
+pub(crate) fn missing_exponent<A: Arithmetic>(map: &str) -> String {
     let accepted = accepted_exponent::<A>();
-    format!("--exponent: missing, hemisphere-power needs it; {accepted}")
+    format!("--exponent: missing, {map} needs it; {accepted}")
 }
 
 /// What the arithmetic accepts, in the words of the crate's errors.

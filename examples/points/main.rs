@@ -14,11 +14,12 @@ mod coordinates;
 mod field;
 mod rows;
 
-use arguments::{Arguments, DiscName, MapName};
+use arguments::Arguments;
 use clap::Parser;
+use examples::maps as names;
 use hemidisc::arithmetic::Arithmetic;
-use hemidisc::catalogue::{ArithmeticVisitor, arithmetics};
-use hemidisc::{Concentric, Cosine, Polar, Power, Uniform, UnitSquare};
+use hemidisc::catalogue::{ArithmeticVisitor, MapVisitor, arithmetics, maps, power_maps};
+use hemidisc::{Invert, UnitSquare};
 use rows::{Mapped, Rejected, Table};
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
@@ -81,35 +82,50 @@ impl ArithmeticVisitor for Chosen<'_> {
 fn print_in<A: Arithmetic>(arguments: &Arguments) -> Result<(), Failure> {
     let table = Table::<A::Real>::new(arguments)?;
     let exponent = arguments.exponent::<A>()?;
-    match (arguments.map, arguments.disc()) {
-        (MapName::Square, _) => table.print(&Mapped(UnitSquare::<A>::new())),
-        (MapName::DiscRejection, _) => table.print(&Rejected::<A>::new()),
-        (MapName::DiscPolar, _) => table.print(&Mapped(Polar::<A>::new())),
-        (MapName::DiscConcentric, _) => table.print(&Mapped(Concentric::<A>::new())),
-        (MapName::HemisphereUniform, DiscName::Polar) => {
-            table.print(&Mapped(Uniform::over(Polar::<A>::new())))
+    let map = arguments.map.as_str();
+    if map == names::SQUARE {
+        return table.print(&Mapped(UnitSquare::<A>::new()));
+    }
+    if map == names::REJECTION {
+        return table.print(&Rejected::<A>::new());
+    }
+    let mut named = Named { map, disc: arguments.disc(), table, result: None };
+    if names::takes_exponent(map) {
+        let exponent =
+            exponent.ok_or_else(|| Failure::Usage(arguments::missing_exponent::<A>(map)))?;
+        power_maps::<A>(exponent, &mut named)
+            .map_err(|error| Failure::Usage(format!("--exponent: {error}")))?;
+    } else {
+        maps::<A>(&mut named);
+    }
+    named
+        .result
+        .unwrap_or_else(|| Err(Failure::Usage(format!("--map: {map} is not in this build"))))
+}
+
+/// Prints with the map of a name.
+struct Named<'a, R> {
+    map: &'a str,
+    disc: &'a str,
+    table: Table<'a, R>,
+    result: Option<Result<(), Failure>>,
+}
+
+impl<A: Arithmetic> MapVisitor<A> for Named<'_, A::Real> {
+    fn disc<M: Invert<Point = [A::Real; 2]>>(&mut self, name: &'static str, map: M) {
+        if self.map.strip_prefix("disc-") == Some(name) {
+            self.result = Some(self.table.print(&Mapped(map)));
         }
-        (MapName::HemisphereUniform, DiscName::Concentric) => {
-            table.print(&Mapped(Uniform::<A>::new()))
-        }
-        (MapName::HemisphereCosine, DiscName::Polar) => {
-            table.print(&Mapped(Cosine::over(Polar::<A>::new())))
-        }
-        (MapName::HemisphereCosine, DiscName::Concentric) => {
-            table.print(&Mapped(Cosine::<A>::new()))
-        }
-        (MapName::HemispherePower, disc) => {
-            let exponent =
-                exponent.ok_or_else(|| Failure::Usage(arguments::missing_exponent::<A>()))?;
-            let refused = |error| Failure::Usage(format!("--exponent: {error}"));
-            match disc {
-                DiscName::Polar => {
-                    table.print(&Mapped(Power::over(exponent, Polar::<A>::new()).map_err(refused)?))
-                }
-                DiscName::Concentric => {
-                    table.print(&Mapped(Power::<A>::new(exponent).map_err(refused)?))
-                }
-            }
+    }
+
+    fn hemisphere<M: Invert<Point = [A::Real; 3]>>(
+        &mut self,
+        name: &'static str,
+        disc: &'static str,
+        map: M,
+    ) {
+        if self.map.strip_prefix("hemisphere-") == Some(name) && self.disc == disc {
+            self.result = Some(self.table.print(&Mapped(map)));
         }
     }
 }

@@ -4,6 +4,7 @@ use crate::arguments::Arguments;
 use crate::coordinates::coordinates;
 use crate::field::{Writer, writer};
 use crate::{Failure, tell};
+use examples::maps::SQUARE;
 use hemidisc::Invert;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::disc::Rejection;
@@ -109,7 +110,7 @@ impl<'a, R: 'static> Table<'a, R> {
         out: &mut dyn Write,
     ) -> io::Result<Counts> {
         let Arguments { density, invert, .. } = *self.arguments;
-        let square = self.arguments.map.is_square();
+        let square = self.arguments.map == SQUARE;
         let components = size_of::<T::Point>() / size_of::<R>();
         let columns = match components {
             _ if invert || square => "u,v",

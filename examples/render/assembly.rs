@@ -8,12 +8,12 @@ use crate::render::effects::{Effect, Effects};
 use crate::render::frame::{self, Region, Row, Settings};
 use crate::render::objects::{named, planes, real, spheres, vector};
 use crate::render::values::Exponent;
-use hemidisc::MicromathF32;
-use hemidisc::arithmetic::{Arithmetic, Root};
+use hemidisc::arithmetic::{Real, Root};
 use hemidisc::effect::{
     AmbientOcclusion, BelowHorizon, DiscLight, Glossy, LensRay, Polygon, ThinLens,
 };
-use hemidisc::{Concentric, FastF32, Frame, LibmF32, LibmF64};
+use hemidisc::{Concentric, Frame};
+use testkit::arithmetics::{EachRoot, Tested, every_root};
 use testkit::tracer::{
     Ambient, Camera, Counts, Draw, Lens, Light, Mirror, Pinhole, PointLight, Reflection, Renderer,
     Sky, Unoccluded,
@@ -26,18 +26,26 @@ pub type Render =
 
 /// The arithmetics that have a square root, by name.
 ///
-/// `static`, so that the renderers are compiled with this library and not with each program.
-pub static ARITHMETICS: &[(&str, Render)] = &[
-    (LibmF64::NAME, render::<LibmF64>),
-    (LibmF32::NAME, render::<LibmF32>),
-    (FastF32::NAME, render::<FastF32>),
-    (MicromathF32::NAME, render::<MicromathF32>),
-];
+/// No generic function, so that the renderers are compiled with this library and not with each
+/// program.
+pub fn renderers() -> impl Iterator<Item = (&'static str, Render)> {
+    let mut renderers = Renderers(Vec::new());
+    every_root(&mut renderers);
+    renderers.0.into_iter()
+}
+
+struct Renderers(Vec<(&'static str, Render)>);
+
+impl EachRoot for Renderers {
+    fn each<A: Root<Real: Real> + Tested>(&mut self) {
+        self.0.push((A::NAME, render::<A>));
+    }
+}
 
 /// The function that renders in the arithmetic of a name.
 pub fn renderer_of(arithmetic: &str) -> Option<Render> {
-    let known = ARITHMETICS.iter().find(|(name, _)| *name == arithmetic);
-    known.map(|(_, render)| *render)
+    let known = renderers().find(|(name, _)| *name == arithmetic);
+    known.map(|(_, render)| render)
 }
 
 fn render<A: Root>(
@@ -61,7 +69,7 @@ pub fn with_rows<A: Root>(
     run: &mut dyn FnMut(&Row<'_, A::Real>),
 ) -> Result<(), String> {
     let assembly = Assembly::<A> { scene, effects, settings, run };
-    match scene.lens.as_ref().filter(|_| effects.has(Effect::Lens)) {
+    match scene.lens.as_ref().filter(|_| effects.has(Effect::ThinLens)) {
         None => assembly.with_lens(Pinhole),
         Some(lens) => assembly.with_lens(AnyLens::<A>::of(lens)?),
     }
@@ -109,7 +117,7 @@ impl<A: Root> Assembly<'_, A> {
         let position = vector::<A>(position.0);
         let frame = Frame::normalized(vector::<A>(toward.0))
             .map_err(|error| named::<A>("light.toward", error))?;
-        match radius.filter(|_| self.effects.has(Effect::Light)) {
+        match radius.filter(|_| self.effects.has(Effect::DiscLight)) {
             None => {
                 let (normal, two_sided) = (frame.unit(), *two_sided);
                 self.with_light(lens, PointLight { position, normal, two_sided })
@@ -127,7 +135,7 @@ impl<A: Root> Assembly<'_, A> {
         L: Lens<A> + Sync,
         S: Light<A> + Sync,
     {
-        match self.scene.ambient.reach.filter(|_| self.effects.has(Effect::Occlusion)) {
+        match self.scene.ambient.reach.filter(|_| self.effects.has(Effect::AmbientOcclusion)) {
             None => self.with_occlusion(lens, light, Unoccluded),
             Some(reach) => {
                 let occlusion = AmbientOcclusion::<A>::new(real::<A>(reach.0))

@@ -126,11 +126,11 @@ impl Scene {
         let glossy = materials
             .any(|material| material.reflection.as_ref().is_some_and(|r| r.exponent.is_some()));
         let called_for = |effect: &Effect| match effect {
-            Effect::Lens => self.lens.is_some(),
-            Effect::Light => self.light.radius.is_some(),
-            Effect::Occlusion => self.ambient.reach.is_some(),
+            Effect::ThinLens => self.lens.is_some(),
+            Effect::DiscLight => self.light.radius.is_some(),
+            Effect::AmbientOcclusion => self.ambient.reach.is_some(),
             Effect::Glossy => glossy,
         };
-        Effect::ALL.into_iter().filter(called_for).collect()
+        Effect::ALL.iter().copied().filter(called_for).collect()
     }
 }

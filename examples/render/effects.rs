@@ -1,28 +1,27 @@
-//! Which of the four effects a scene has, or a picture is rendered with.
+//! Which of the effects a scene has, or a picture is rendered with.
 
 use serde::{Deserialize, Serialize};
 use std::str::FromStr;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Effect {
-    Lens,
-    Light,
-    Occlusion,
-    Glossy,
-}
-
-impl Effect {
-    pub const ALL: [Self; 4] = [Self::Lens, Self::Light, Self::Occlusion, Self::Glossy];
-
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Lens => "lens",
-            Self::Light => "light",
-            Self::Occlusion => "occlusion",
-            Self::Glossy => "glossy",
+macro_rules! effects {
+    ($($file:ident $effect:ident $name:literal;)*) => {
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Effect {
+            $($effect,)*
         }
-    }
+
+        impl Effect {
+            pub const ALL: &[Self] = &[$(Self::$effect),*];
+
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$effect => $name,)*
+                }
+            }
+        }
+    };
 }
+hemidisc::for_each_effect!(effects);
 
 /// A set of effects; its text is that of the command line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -47,7 +46,7 @@ impl Effects {
     }
 
     pub fn each(self) -> impl Iterator<Item = Effect> {
-        Effect::ALL.into_iter().filter(move |effect| self.has(*effect))
+        Effect::ALL.iter().copied().filter(move |effect| self.has(*effect))
     }
 
     /// What the command line accepts of a scene with these effects.
@@ -91,7 +90,7 @@ impl FromStr for Effects {
         }
         let mut effects = Self::NONE;
         for name in text.split(',') {
-            let effect = Effect::ALL.into_iter().find(|effect| effect.name() == name);
+            let effect = Effect::ALL.iter().copied().find(|effect| effect.name() == name);
             let effect = effect.ok_or_else(|| format!("{name:?} is not an effect"))?;
             if effects.has(effect) {
                 return Err(format!("{name} is named twice"));

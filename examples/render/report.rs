@@ -17,7 +17,7 @@ pub(crate) fn json(
     render: &mut impl FnMut(Effects) -> Result<Frame, Failure>,
 ) -> Result<String, Failure> {
     let mut fields = Vec::new();
-    for effect in Effect::ALL {
+    for effect in Effect::ALL.iter().copied() {
         let called_for = effects.has(effect);
         let seconds = if called_for {
             (frame.seconds - render(effects.without(effect))?.seconds).max(0.0)
@@ -39,9 +39,9 @@ pub(crate) fn json(
 /// The tally of an effect.
 pub(crate) const fn tally(counts: &Counts, effect: Effect) -> Tally {
     match effect {
-        Effect::Lens => counts.lens,
-        Effect::Light => counts.light,
-        Effect::Occlusion => counts.occlusion,
+        Effect::ThinLens => counts.lens,
+        Effect::DiscLight => counts.light,
+        Effect::AmbientOcclusion => counts.occlusion,
         Effect::Glossy => counts.glossy,
     }
 }

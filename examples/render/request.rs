@@ -1,12 +1,13 @@
 //! What is asked for of a scene: the arguments that settle a picture's bits, and what they accept.
 
 use crate::Failure;
-use crate::render::assembly::{ARITHMETICS, Render, renderer_of};
+use crate::render::assembly::{Render, renderer_of, renderers};
 use crate::render::effects::Effects;
 use crate::render::file;
 use crate::render::frame::Settings;
 use crate::render::sequence::Sequence;
 use clap::Args;
+use hemidisc::catalogue::{ARITHMETICS, EFFECTS};
 use serde::{Deserialize, Serialize};
 use std::num::NonZeroU16;
 use std::str::FromStr;
@@ -19,9 +20,11 @@ pub struct Request {
     #[arg(long, value_name = "NAME")]
     pub scene: String,
 
-    /// Some of lens, light, occlusion, glossy with commas between, or none
-    /// [default: those of the scene]
     #[arg(long, value_name = "LIST", value_parser = Effects::from_str)]
+    #[arg(help = format!(
+        "Some of {} with commas between, or none [default: those of the scene]",
+        EFFECTS.join(", ")
+    ))]
     pub effects: Option<Effects>,
 
     /// Samples for each pixel
@@ -92,7 +95,7 @@ impl Request {
     pub fn renderer(&self) -> Result<Render, Failure> {
         renderer_of(&self.arithmetic).ok_or_else(|| {
             let name = &self.arithmetic;
-            let wrong = if hemidisc::catalogue::ARITHMETICS.contains(&name.as_str()) {
+            let wrong = if ARITHMETICS.contains(&name.as_str()) {
                 "does not render, in this build"
             } else {
                 "is not an arithmetic"
@@ -107,10 +110,10 @@ impl Request {
 pub fn accepted(long: &str) -> Option<String> {
     Some(match long {
         "scene" => format!("{}, or the path of a .ron file", file::names().join(", ")),
-        "effects" => "some of lens,light,occlusion,glossy, with commas between; or none".to_owned(),
+        "effects" => format!("some of {}, with commas between; or none", EFFECTS.join(",")),
         "spp" => "an integer 1..=65535".to_owned(),
         "width" | "height" => format!("an integer 1..={LONGEST}"),
-        "arithmetic" => ARITHMETICS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", "),
+        "arithmetic" => renderers().map(|(name, _)| name).collect::<Vec<_>>().join(", "),
         "sequence" => Sequence::ALL.map(|(name, _)| name).join(", "),
         "seed" => "an integer 0..=4294967295".to_owned(),
         _ => return None,

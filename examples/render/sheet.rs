@@ -64,6 +64,6 @@ pub(crate) fn write(arguments: &Arguments) -> Result<String, Failure> {
 
 fn caption(frame: &Frame) -> String {
     let points = |effect| tally(&frame.counts, effect).points;
-    let points: u64 = Effect::ALL.into_iter().map(points).sum();
+    let points: u64 = Effect::ALL.iter().copied().map(points).sum();
     format!("{points} points, {:.2} s", frame.seconds)
 }

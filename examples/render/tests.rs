@@ -8,16 +8,15 @@ mod pictures;
 mod subsets;
 mod sums;
 
-use examples::render::assembly::{ARITHMETICS, with_rows};
+use examples::render::assembly::{renderers, with_rows};
 use examples::render::description::Scene;
 use examples::render::effects::{Effect, Effects};
 use examples::render::file;
 use examples::render::frame::{Frame, Row, Settings};
 use examples::render::sequence::Sequence;
 use examples::render::sums::means;
-use hemidisc::MicromathF32;
-use hemidisc::arithmetic::{Arithmetic, Real, Root};
-use hemidisc::{FastF32, LibmF32, LibmF64};
+use hemidisc::arithmetic::{Real, Root};
+use testkit::arithmetics::{EachRoot, Tested, every_root};
 
 const SMALL: Settings =
     Settings { size: [24, 16], samples: 4, sequence: Sequence::SobolOwen, seed: 5 };
@@ -29,7 +28,8 @@ fn scene(name: &str) -> Scene {
 
 fn subsets() -> impl Iterator<Item = Effects> {
     let bit = |n: usize, effect: Effect| n >> effect as usize & 1 == 1;
-    (0..16).map(move |n| Effect::ALL.into_iter().filter(|effect| bit(n, *effect)).collect())
+    let of = move |n| Effect::ALL.iter().copied().filter(|effect| bit(n, *effect)).collect();
+    (0..1 << Effect::ALL.len()).map(of)
 }
 
 fn rendered(arithmetic: &str, scene: &Scene, effects: Effects, settings: &Settings) -> Frame {
@@ -40,13 +40,17 @@ fn rendered(arithmetic: &str, scene: &Scene, effects: Effects, settings: &Settin
 /// The bits of the arithmetic's own sums, which are finer than what a frame keeps of them: -0 is
 /// not 0.
 fn bits(arithmetic: &str, scene: &Scene, effects: Effects) -> Vec<u64> {
-    match arithmetic {
-        LibmF64::NAME => bits_in::<LibmF64>(scene, effects),
-        LibmF32::NAME => bits_in::<LibmF32>(scene, effects),
-        FastF32::NAME => bits_in::<FastF32>(scene, effects),
-        MicromathF32::NAME => bits_in::<MicromathF32>(scene, effects),
-        _ => panic!("{arithmetic} is not in this list"),
+    struct Bits<'a>(&'a str, &'a Scene, Effects, Option<Vec<u64>>);
+    impl EachRoot for Bits<'_> {
+        fn each<A: Root<Real: Real> + Tested>(&mut self) {
+            if A::NAME == self.0 {
+                self.3 = Some(bits_in::<A>(self.1, self.2));
+            }
+        }
     }
+    let mut bits = Bits(arithmetic, scene, effects, None);
+    every_root(&mut bits);
+    bits.3.unwrap_or_else(|| panic!("{arithmetic} is not of floats"))
 }
 
 fn bits_in<A: Root>(scene: &Scene, effects: Effects) -> Vec<u64> {
@@ -69,5 +73,5 @@ fn pixels(frame: &Frame, settings: &Settings) -> Vec<[f64; 3]> {
 }
 
 fn each_arithmetic() -> impl Iterator<Item = &'static str> {
-    ARITHMETICS.iter().map(|(name, _)| *name)
+    renderers().map(|(name, _)| name)
 }

@@ -5,8 +5,9 @@
 
 use crate::job::{Job, Work};
 use crate::number::{Encoding, encoding};
-use crate::set::{EXPONENT, SQUARE, Set};
+use crate::set::{EXPONENT, Set};
 use examples::Failure;
+use examples::maps::SQUARE;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{
     ArithmeticVisitor, MapVisitor, SequenceVisitor, arithmetics, maps, power_maps, sequences,

@@ -4,8 +4,8 @@
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use examples::Failure;
-use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, SEQUENCES};
+use examples::{Failure, maps};
+use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, DISC_MAPS, SEQUENCES};
 use serde::{Deserialize, Serialize};
 use std::num::NonZeroU32;
 use std::str::FromStr;
@@ -29,11 +29,11 @@ pub(crate) struct Set {
     pub(crate) seed: u32,
 
     /// Where the coordinates go; the square leaves them as they are, u32
-    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(MAPS))]
+    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(maps::one_to_one()))]
     pub(crate) map: String,
 
     /// Disc map below a hemisphere map [default: concentric]
-    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(DISCS))]
+    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(DISC_MAPS))]
     disc: Option<String>,
 
     /// Exponent of hemisphere-power: a finite number above -1; in fixed point 0 <= e < 4294967296
@@ -46,13 +46,7 @@ pub(crate) struct Set {
     pub(crate) arithmetic: String,
 }
 
-/// Those that keep every point, so that a range of indices is a number of bytes.
-const MAPS: [&str; 6] =
-    [SQUARE, "disc-polar", "disc-concentric", "hemisphere-uniform", "hemisphere-cosine", POWER];
-pub(crate) const SQUARE: &str = "square";
-const POWER: &str = "hemisphere-power";
 pub(crate) const EXPONENT: &str = "a finite number above -1";
-const DISCS: [&str; 2] = ["polar", "concentric"];
 
 /// What an argument accepts, if it is one of these.
 pub(crate) fn accepted(long: &str) -> Option<String> {
@@ -60,8 +54,8 @@ pub(crate) fn accepted(long: &str) -> Option<String> {
         "sequence" => SEQUENCES.join(", "),
         "count" => "an integer 1..=4294967295".to_owned(),
         "seed" => "an integer 0..=4294967295".to_owned(),
-        "map" => MAPS.join(", "),
-        "disc" => DISCS.join(", "),
+        "map" => maps::one_to_one().collect::<Vec<_>>().join(", "),
+        "disc" => DISC_MAPS.join(", "),
         "exponent" => EXPONENT.to_owned(),
         "arithmetic" => AVAILABLE_ARITHMETICS.join(", "),
         _ => return None,
@@ -76,12 +70,13 @@ impl Set {
     /// Refuses what has no effect: sets that differ in it alone would seem to be different ones.
     pub(crate) fn check(&self) -> Result<(), Failure> {
         let Self { map, disc, exponent, .. } = self;
-        let wrong = if disc.is_some() && !map.starts_with("hemisphere-") {
+        let wrong = if disc.is_some() && !maps::is_hemisphere(map) {
             format!("--disc: has no effect with --map {map}; accepted: with a hemisphere")
-        } else if exponent.is_some() && map != POWER {
-            format!("--exponent: has no effect with --map {map}; accepted: with {POWER}")
-        } else if exponent.is_none() && map == POWER {
-            format!("--exponent: missing, {POWER} needs it; accepted: {EXPONENT}")
+        } else if exponent.is_some() && !maps::takes_exponent(map) {
+            let accepted = maps::of_an_exponent();
+            format!("--exponent: has no effect with --map {map}; accepted: with {accepted}")
+        } else if exponent.is_none() && maps::takes_exponent(map) {
+            format!("--exponent: missing, {map} needs it; accepted: {EXPONENT}")
         } else {
             return Ok(());
         };

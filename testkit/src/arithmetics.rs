@@ -3,7 +3,7 @@
 //! The list is the library's, `src/lists.rs`. A new number type is also an `impl Number`.
 
 use crate::digest::Digestible;
-use hemidisc::arithmetic::Arithmetic;
+use hemidisc::arithmetic::{Arithmetic, Real, Root};
 use hemidisc::invariant::Exact;
 use std::f64::consts::FRAC_1_PI;
 
@@ -29,6 +29,29 @@ macro_rules! test_each_arithmetic {
     };
 }
 
+/// As [`test_each_arithmetic!`], of the arithmetics of floats.
+#[macro_export]
+macro_rules! test_each_float {
+    ($run:ident) => {
+        mod $run {
+            use $crate::test_each_float as tests;
+            hemidisc::for_each_arithmetic! { tests @ $run }
+        }
+    };
+    (@ $run:ident
+        $(#[$cfg:meta] $test:ident $arithmetic:ident $name:literal $kind:ident $facts:tt;)*) => {
+        $(tests! { $kind $run #[$cfg] $test $arithmetic })*
+    };
+    (float $run:ident #[$cfg:meta] $test:ident $arithmetic:ident) => {
+        #[$cfg]
+        #[test]
+        fn $test() {
+            super::$run::<hemidisc::$arithmetic>();
+        }
+    };
+    (fixed $run:ident #[$cfg:meta] $test:ident $arithmetic:ident) => {};
+}
+
 /// An arithmetic with what the tests must know of it.
 pub trait Tested: Arithmetic<Real: Number, Parameter: Exponent> {
     /// Leading bits of a coordinate that it reads; the others change nothing.
@@ -48,7 +71,7 @@ pub trait EachArithmetic {
 macro_rules! implement {
     ($(
         #[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident
-        ($bits:literal, $error:expr, $library:expr);
+        ($form:ident $boards:ident, $bits:literal, $error:expr, $library:expr);
     )*) => {
         $(
             #[$cfg]
@@ -69,6 +92,28 @@ macro_rules! implement {
     };
 }
 hemidisc::for_each_arithmetic!(implement);
+
+/// Something to do with each arithmetic of floats: those that frames and effects take.
+pub trait EachRoot {
+    fn each<A: Root<Real: Real> + Tested>(&mut self);
+}
+
+macro_rules! roots {
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident $facts:tt;)*) => {
+        /// Visits the arithmetics of floats of this build.
+        pub fn every_root(visitor: &mut impl EachRoot) {
+            $(
+                #[$cfg]
+                roots!(@ $kind visitor $arithmetic);
+            )*
+        }
+    };
+    (@ float $visitor:ident $arithmetic:ident) => {
+        $visitor.each::<hemidisc::$arithmetic>()
+    };
+    (@ fixed $visitor:ident $arithmetic:ident) => {};
+}
+hemidisc::for_each_arithmetic!(roots);
 
 /// The centre of a coordinate's cell, as the arithmetic reads it.
 pub fn centre<A: Tested>(k: u32) -> f64 {

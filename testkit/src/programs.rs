@@ -3,6 +3,7 @@
 //! `cargo test` builds those examples that have no tests of their own, and none with `--test NAME`;
 //! so a test has cargo build what it runs, which takes no time where it is there and fresh.
 
+use hemidisc::catalogue::POWER_LOBES;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::process::Command;
@@ -31,11 +32,13 @@ pub fn program(name: &str) -> PathBuf {
 }
 
 /// A map as the programs' arguments name it, after `--map`: the kind is `disc` or a lobe, as
-/// [`EachMap`](crate::errors::EachMap) has it. The power lobe alone takes the exponent.
+/// [`EachMap`](crate::errors::EachMap) has it. Power lobes alone take the exponent.
 pub fn map_arguments(kind: &str, disc: &str, exponent: &str) -> String {
-    match kind {
-        "disc" => format!("disc-{disc}"),
-        "power" => format!("hemisphere-power --disc {disc} --exponent {exponent}"),
-        lobe => format!("hemisphere-{lobe} --disc {disc}"),
+    if kind == "disc" {
+        format!("disc-{disc}")
+    } else if POWER_LOBES.contains(&kind) {
+        format!("hemisphere-{kind} --disc {disc} --exponent {exponent}")
+    } else {
+        format!("hemisphere-{kind} --disc {disc}")
     }
 }

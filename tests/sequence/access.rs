@@ -3,11 +3,9 @@
 use hemidisc::{
     Domain, Error,
     bits::hash::mix,
-    catalogue::{SEQUENCES, SequenceVisitor, sequences},
-    sequence::{
-        BLOCK, Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random,
-        Regular, Sequence, Shuffled, Sobol, SobolOwen, Stored,
-    },
+    catalogue::{Parameters, SEQUENCES, SequenceVisitor, sequences},
+    for_each_sequence, made_by,
+    sequence::{self, BLOCK, Sequence, Shuffled, Sobol, Stored},
 };
 
 const COUNTS: [u32; 8] = [1, 2, 63, 64, 65, 100, 300, 65_536];
@@ -112,35 +110,34 @@ fn stored() {
 }
 
 /// The inherent `at`, which constants use, gives the point of the trait's, which generic code uses.
+macro_rules! assert_at_is_the_traits {
+    ($sequence:expr, $name:expr) => {
+        let sequence = $sequence;
+        for i in (0..1000).flat_map(|i| [i, u32::MAX - i, mix(i)]) {
+            assert_eq!(sequence.at(i), Sequence::at(&sequence, i), "{}, point {i}", $name);
+        }
+    };
+}
+
+macro_rules! every_at_is_the_traits {
+    ($parameters:ident
+        $($file:ident $sequence:ident $name:literal $kind:ident $new:ident($($part:ident),*);)*
+    ) => {$(
+        let made = sequence::$sequence::$new($($parameters.$part),*);
+        assert_at_is_the_traits!(made_by!($kind made), $name);
+    )*};
+}
+
 #[test]
 fn at_is_point() -> Result<(), Error> {
-    macro_rules! assert_at_is_point {
-        ($($sequence:expr),* $(,)?) => {$(
-            let sequence = $sequence;
-            for i in (0..1000).flat_map(|i| [i, u32::MAX - i, mix(i)]) {
-                let what = stringify!($sequence);
-                assert_eq!(sequence.at(i), Sequence::at(&sequence, i), "{what}, point {i}");
-            }
-        )*};
-    }
     const TABLE: [u32; 2] = Sobol::new(7).at(3); // also at compile time
     assert_eq!(Sobol::new(7).at(3), TABLE);
-    let points = [[1, 2], [3, 4], [5, 6]];
     for seed in [0, 1, u32::MAX] {
-        assert_at_is_point!(
-            Regular::new(7, 9)?,
-            Random::new(seed),
-            Jittered::new(7, 9, seed)?,
-            NRooks::new(63, seed)?,
-            MultiJittered::new(7, 9, seed)?,
-            Correlated::new(7, 9, seed)?,
-            Hammersley::new(63)?,
-            Halton::new(),
-            Sobol::new(seed),
-            SobolOwen::new(seed),
-            R2::new(seed),
-            Stored::new(&points)?,
-        );
+        // Grids of 7 x 9.
+        let parameters = Parameters::new(63, seed);
+        for_each_sequence!(every_at_is_the_traits parameters);
     }
+    let points = [[1, 2], [3, 4], [5, 6]];
+    assert_at_is_the_traits!(Stored::new(&points)?, "stored");
     Ok(())
 }

@@ -33,19 +33,13 @@ pub(crate) fn draw(set: &Set) -> Result<String, Box<dyn Error>> {
         for (exponent, column) in EXPONENTS.into_iter().zip(0_u32..) {
             let x = MARGIN + f64::from(column) * (WIDTH + GAP);
             heading(sheet, x, exponent)?;
-            for (disc, row) in ["concentric", "polar"].into_iter().zip(0_u32..) {
-                if let Some(lobe) = set.on_hemisphere(disc, exponent) {
-                    let y = HEAD + ROW * f64::from(row);
-                    match disc {
-                        "polar" => one(
-                            sheet,
-                            [x, y],
-                            lobe,
-                            Power::over(exponent.into(), Polar::<LibmF64>::new())?,
-                        )?,
-                        _ => one(sheet, [x, y], lobe, Power::<LibmF64>::new(exponent.into())?)?,
-                    }
-                }
+            let e = exponent.into();
+            if let Some(lobe) = set.on_hemisphere("concentric", exponent) {
+                one(sheet, [x, HEAD], lobe, Power::<LibmF64>::new(e)?)?;
+            }
+            if let Some(lobe) = set.on_hemisphere("polar", exponent) {
+                let map = Power::over(e, Polar::<LibmF64>::new())?;
+                one(sheet, [x, HEAD + ROW], lobe, map)?;
             }
         }
         Ok(())

@@ -2,24 +2,26 @@
 
 use super::{hard_pairs, hex, hexes, pair, points, points_of, same, square};
 use hemidisc::Invert;
-use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, SEQUENCES};
+use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, DISC_MAPS, LOBES, POWER_LOBES, SEQUENCES};
 use testkit::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic};
 use testkit::errors::{EachMap, each_map, each_power_map};
 use testkit::programs::map_arguments;
 
 /// The maps of the command line with what they need; those that keep every point.
-const MAPS: [&str; 10] = [
-    "disc-polar",
-    "disc-concentric",
-    "hemisphere-uniform --disc polar",
-    "hemisphere-uniform --disc concentric",
-    "hemisphere-cosine --disc polar",
-    "hemisphere-cosine --disc concentric",
-    "hemisphere-power --exponent 0",
-    "hemisphere-power --exponent 1 --disc polar",
-    "hemisphere-power --exponent 50",
-    "hemisphere-power --exponent 1e8",
-];
+fn maps() -> Vec<String> {
+    let mut maps = Vec::new();
+    for disc in DISC_MAPS {
+        maps.push(map_arguments("disc", disc, ""));
+        for lobe in LOBES {
+            let exponents = if POWER_LOBES.contains(lobe) { &EXPONENTS[..] } else { &[""] };
+            maps.extend(exponents.iter().map(|e| map_arguments(lobe, disc, e)));
+        }
+    }
+    maps
+}
+
+/// Of the power lobes, as arguments.
+const EXPONENTS: [&str; 4] = ["0", "1", "50", "1e8"];
 
 /// Of the power lobe, as an argument.
 const EXPONENT: &str = "2.5";
@@ -82,7 +84,8 @@ fn prints_the_bits_of_the_crate<A: Tested>() {
     let mut check = SameBits { pairs: hard_pairs(), maps: 0 };
     each_map::<A>(&mut check);
     each_power_map::<A>(A::Parameter::exactly(EXPONENT.parse().unwrap()).unwrap(), &mut check);
-    assert_eq!(check.maps, 11);
+    // Each map, and each lobe over the default.
+    assert_eq!(check.maps, DISC_MAPS.len() * (1 + LOBES.len()) + LOBES.len());
 }
 
 testkit::test_each_arithmetic!(prints_the_bits_of_the_crate);
@@ -99,7 +102,7 @@ struct Decimals;
 
 impl EachArithmetic for Decimals {
     fn each<A: Tested>(&mut self) {
-        for map in MAPS {
+        for map in maps() {
             let arguments = format!("--arithmetic {} --map {map} --density", A::NAME);
             let (header, decimals) = points_of(&hard_pairs(), &arguments).quiet();
             let (same_header, raws) =
@@ -129,12 +132,8 @@ fn libm_f64_gives_every_coordinate_back() {
         let (_, rows) = points_of(&hard_pairs(), &arguments).quiet();
         same(&rows, hexes(hard_pairs()), &arguments);
     };
-    ["square", "disc-polar", "disc-concentric"].into_iter().for_each(gives_back);
-    let exponents = ["0", "1", "50", "1e8"].map(|e| format!("power --exponent {e}"));
-    for lobe in exponents.iter().map(String::as_str).chain(["uniform", "cosine"]) {
-        gives_back(&format!("hemisphere-{lobe} --disc polar"));
-        gives_back(&format!("hemisphere-{lobe} --disc concentric"));
-    }
+    gives_back("square");
+    maps().iter().for_each(|map| gives_back(map));
 }
 
 #[test]

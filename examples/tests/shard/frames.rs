@@ -1,6 +1,7 @@
 //! Frames: shards by rows or by samples, by threads or processes, make the picture of `render`.
 
 use super::{folder, holds, made, parts, run};
+use examples::render::assembly::renderers;
 use std::path::Path;
 
 /// 16 rows, and 3 passes of which the last is short.
@@ -30,8 +31,7 @@ fn same(arguments: &str, by: &str, shards: impl IntoIterator<Item = u16>) {
 
 #[test]
 fn threads_make_the_picture() {
-    let micromath = cfg!(feature = "micromath").then_some("micromath-f32");
-    for arithmetic in ["libm-f64", "libm-f32", "fast-f32"].into_iter().chain(micromath) {
+    for (arithmetic, _) in renderers() {
         same(&format!("{SMALL} --arithmetic {arithmetic}"), "threads", [1, 2, 3, 7, 17]);
     }
     same(&SMALL.replace("--spp 20", "--spp 1 --effects none"), "threads", [2]);

@@ -3,7 +3,7 @@
 use crate::Visitor;
 use core::hint::black_box;
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
-use hemidisc::{Concentric, Density, Error, FastF32, Frame, LibmF32, MicromathF32, Unit};
+use hemidisc::{Concentric, Density, Error, Frame, Unit};
 
 /// A function that fills by an effect, under its path.
 macro_rules! fill {
@@ -25,19 +25,33 @@ macro_rules! fill {
     }};
 }
 
-/// The effects of an arithmetic of `f32`.
-macro_rules! effects {
-    ($visitor:ident: $($name:literal $arithmetic:ident;)*) => {$(
+// The fills of each effect, by the name of its file.
+
+macro_rules! thin_lens {
+    ($visitor:ident $name:literal $arithmetic:ident) => {
         fill!(
-            $visitor, concat!("effect/lens/", $name), ThinLens<Concentric<$arithmetic>, f32>,
-            ThinLens::new(Concentric::new(), 0.25, 2.0)?, through::<_>
+            $visitor,
+            concat!("effect/lens/", $name),
+            ThinLens<Concentric<$arithmetic>, f32>,
+            ThinLens::new(Concentric::new(), 0.25, 2.0)?,
+            through::<_>
         );
         fill!(
-            $visitor, concat!("effect/lens-5-blades/", $name), ThinLens<Polygon<$arithmetic, 5>, f32>,
-            ThinLens::new(Polygon::new(0), 0.25, 2.0)?, through::<_>
+            $visitor,
+            concat!("effect/lens-5-blades/", $name),
+            ThinLens<Polygon<$arithmetic, 5>, f32>,
+            ThinLens::new(Polygon::new(0), 0.25, 2.0)?,
+            through::<_>
         );
+    };
+}
+
+macro_rules! disc_light {
+    ($visitor:ident $name:literal $arithmetic:ident) => {
         fill!(
-            $visitor, concat!("effect/light/", $name), DiscLight<$arithmetic>,
+            $visitor,
+            concat!("effect/light/", $name),
+            DiscLight<$arithmetic>,
             DiscLight::new([0.5, 1.0, 2.0], Frame::new([0.0, 0.0, -1.0])?, 0.5)?,
             |light: &DiscLight<$arithmetic>, uv| {
                 let sample = light.sample([0.0; 3], uv);
@@ -45,8 +59,14 @@ macro_rules! effects {
                 [x, y, z, sample.distance, sample.density, sample.weight]
             }
         );
+    };
+}
+
+macro_rules! ambient_occlusion {
+    ($visitor:ident $name:literal $arithmetic:ident) => {
         fill!(
-            $visitor, concat!("effect/occlusion/", $name),
+            $visitor,
+            concat!("effect/occlusion/", $name),
             (AmbientOcclusion<$arithmetic>, Frame<f32>),
             (AmbientOcclusion::new(1.0)?, Frame::new([0.0, 1.0, 0.0])?),
             |(occlusion, ground): &(AmbientOcclusion<$arithmetic>, Frame<f32>), uv| {
@@ -55,8 +75,15 @@ macro_rules! effects {
                 [x, y, z, 0.0, sample.density, sample.weight]
             }
         );
+    };
+}
+
+macro_rules! glossy {
+    ($visitor:ident $name:literal $arithmetic:ident) => {
         fill!(
-            $visitor, concat!("effect/glossy/", $name), (Glossy<$arithmetic>, [Unit<f32>; 2]),
+            $visitor,
+            concat!("effect/glossy/", $name),
+            (Glossy<$arithmetic>, [Unit<f32>; 2]),
             (
                 Glossy::new(50.0, BelowHorizon::Zero)?,
                 [Unit::new([0.6, -0.8, 0.0])?, Unit::new([0.0, 1.0, 0.0])?],
@@ -68,7 +95,7 @@ macro_rules! effects {
                 [x, y, z, 0.0, sample.density, sample.weight]
             }
         );
-    )*};
+    };
 }
 
 fn through<M>(lens: &ThinLens<M, f32>, uv: [u32; 2]) -> [f32; 6]
@@ -80,13 +107,39 @@ where
     [x, y, ahead_x, ahead_y, ray.density, ray.weight]
 }
 
+/// The effects of an arithmetic.
+macro_rules! effects {
+    ($visitor:ident $name:literal $arithmetic:ident
+        $($file:ident $effect:ident $effect_name:literal;)*) => {
+        $($file!($visitor $name $arithmetic);)*
+    };
+}
+
+/// The arithmetics of which boards have fills; first those of which they have pictures too.
+macro_rules! arithmetics {
+    ($visitor:ident $(
+        #[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident
+        ($form:ident $boards:ident $($facts:tt)*);
+    )*) => {
+        $(arithmetics!(@ pictures $boards $visitor $name $arithmetic);)*
+        $(arithmetics!(@ fills $boards $visitor $name $arithmetic);)*
+    };
+    (@ pictures pictures $visitor:ident $name:literal $arithmetic:ident) => {
+        arithmetics!(@ $visitor $name $arithmetic)
+    };
+    (@ fills fills $visitor:ident $name:literal $arithmetic:ident) => {
+        arithmetics!(@ $visitor $name $arithmetic)
+    };
+    // Other words have no fills; one that is not known does not compile in `render.rs`.
+    (@ $pass:ident $boards:ident $visitor:ident $name:literal $arithmetic:ident) => {};
+    (@ $visitor:ident $name:literal $arithmetic:ident) => {{
+        use hemidisc::$arithmetic;
+        hemidisc::for_each_effect!(effects $visitor $name $arithmetic);
+    }};
+}
+
 fn all(visitor: &mut impl Visitor) -> Result<(), Error> {
-    effects! {
-        visitor:
-        "fast-f32" FastF32;
-        "micromath-f32" MicromathF32;
-        "libm-f32" LibmF32;
-    }
+    hemidisc::for_each_arithmetic!(arithmetics visitor);
     Ok(())
 }
 

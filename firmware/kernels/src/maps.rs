@@ -4,12 +4,11 @@
 use crate::{COUNT, Visitor};
 use core::hint::black_box;
 use hemidisc::arithmetic::{Arithmetic, FixedExponent};
-use hemidisc::disc::Rejection;
+use hemidisc::disc::{self, Rejection};
 use hemidisc::frame::About;
 use hemidisc::sequence::{Sobol, SobolOwen, Stored};
 use hemidisc::{
-    Concentric, Cosine, Error, FastF32, Frame, LibmF32, LibmF64, Map, MicromathF32, Points, Polar,
-    Power, Q15, Q15Div, Q31, Uniform, UnitSquare,
+    Concentric, Cosine, Error, FastF32, Frame, Map, Points, Power, Q15, Q31, UnitSquare, hemisphere,
 };
 
 type Slot<A> = <A as Arithmetic>::Real;
@@ -29,32 +28,66 @@ macro_rules! fill {
     }};
 }
 
+/// The lobes without a parameter over every disc map, and those of a prepared exponent.
+macro_rules! lobes {
+    ($visitor:ident $name:literal $arithmetic:ident $exponent:expr,
+        $($file:ident $type:ident $over:ident $lobe:literal $taken:tt;)*) => {
+        $(lobes!(@ $taken $visitor $name $arithmetic $exponent, $over $lobe);)*
+    };
+    (@ () $visitor:ident $name:literal $arithmetic:ident $exponent:expr,
+        $over:ident $lobe:literal) => {
+        hemidisc::for_each_disc_map!(lobe $visitor $name $arithmetic $over $lobe)
+    };
+    (@ (exponent) $visitor:ident $name:literal $arithmetic:ident $exponent:expr,
+        $over:ident $lobe:literal) => {
+        hemidisc::for_each_disc_map!(power $visitor $name $arithmetic $exponent, $over $lobe)
+    };
+}
+
+macro_rules! lobe {
+    ($visitor:ident $name:literal $arithmetic:ident $over:ident $lobe:literal
+        $($file:ident $map:ident $disc:literal;)*) => {$(
+        fill!(
+            $visitor, concat!("map/", $lobe, "/", $disc, "/", $name),
+            hemisphere::$over<$arithmetic, disc::$map<$arithmetic>>, [Slot<$arithmetic>; 3],
+            hemisphere::$over::over(disc::$map::new())
+        );
+    )*};
+}
+
 /// A function that prepares an exponent, and that exponent's maps.
 macro_rules! power {
-    ($visitor:ident, $name:literal, $arithmetic:ident, $exponent:expr) => {{
+    ($visitor:ident $name:literal $arithmetic:ident $exponent:expr, $over:ident $lobe:literal
+        $($file:ident $map:ident $disc:literal;)*) => {{
         #[unsafe(export_name = concat!("exponent/", $name))]
         #[inline(never)]
         fn prepare(
             exponent: <$arithmetic as Arithmetic>::Parameter,
-        ) -> Option<(Power<$arithmetic, Polar<$arithmetic>>, Power<$arithmetic>)> {
-            Some((Power::over(exponent, Polar::new()).ok()?, Power::new(exponent).ok()?))
+        ) -> Option<($(hemisphere::$over<$arithmetic, disc::$map<$arithmetic>>,)*)> {
+            Some(($(hemisphere::$over::over(exponent, disc::$map::new()).ok()?,)*))
         }
-        if let Some((polar, concentric)) = prepare(black_box($exponent)) {
-            fill!(
-                $visitor, concat!("map/power/polar/", $name), Power<$arithmetic, Polar<$arithmetic>>,
-                [Slot<$arithmetic>; 3], polar
-            );
-            fill!(
-                $visitor, concat!("map/power/concentric/", $name), Power<$arithmetic>,
-                [Slot<$arithmetic>; 3], concentric
-            );
+        if let Some(($($file,)*)) = prepare(black_box($exponent)) {
+            $(fill!(
+                $visitor, concat!("map/", $lobe, "/", $disc, "/", $name),
+                hemisphere::$over<$arithmetic, disc::$map<$arithmetic>>, [Slot<$arithmetic>; 3],
+                $file
+            );)*
         }
     }};
 }
 
-/// Every map of each arithmetic.
+macro_rules! discs {
+    ($visitor:ident $name:literal $arithmetic:ident $($file:ident $map:ident $disc:literal;)*) => {$(
+        fill!(
+            $visitor, concat!("map/disc/", $disc, "/", $name), disc::$map<$arithmetic>,
+            [Slot<$arithmetic>; 2], disc::$map::new()
+        );
+    )*};
+}
+
+/// Every map of an arithmetic.
 macro_rules! maps {
-    ($visitor:ident: $($name:literal $arithmetic:ident $exponent:expr;)*) => {$(
+    ($visitor:ident $name:literal $arithmetic:ident $exponent:expr) => {
         fill!(
             $visitor, concat!("map/square/-/", $name), UnitSquare<$arithmetic>,
             [Slot<$arithmetic>; 2], UnitSquare::new()
@@ -73,45 +106,37 @@ macro_rules! maps {
             }
             $visitor.points(concat!("map/disc/rejection/", $name), fill);
         }
-        fill!(
-            $visitor, concat!("map/disc/polar/", $name), Polar<$arithmetic>,
-            [Slot<$arithmetic>; 2], Polar::new()
-        );
-        fill!(
-            $visitor, concat!("map/disc/concentric/", $name), Concentric<$arithmetic>,
-            [Slot<$arithmetic>; 2], Concentric::new()
-        );
-        fill!(
-            $visitor, concat!("map/uniform/polar/", $name), Uniform<$arithmetic, Polar<$arithmetic>>,
-            [Slot<$arithmetic>; 3], Uniform::over(Polar::new())
-        );
-        fill!(
-            $visitor, concat!("map/uniform/concentric/", $name), Uniform<$arithmetic>,
-            [Slot<$arithmetic>; 3], Uniform::new()
-        );
-        fill!(
-            $visitor, concat!("map/cosine/polar/", $name), Cosine<$arithmetic, Polar<$arithmetic>>,
-            [Slot<$arithmetic>; 3], Cosine::over(Polar::new())
-        );
-        fill!(
-            $visitor, concat!("map/cosine/concentric/", $name), Cosine<$arithmetic>,
-            [Slot<$arithmetic>; 3], Cosine::new()
-        );
-        power!($visitor, $name, $arithmetic, $exponent);
-    )*};
+        hemidisc::for_each_disc_map!(discs $visitor $name $arithmetic);
+        hemidisc::for_each_lobe!(lobes $visitor $name $arithmetic $exponent,);
+    };
+}
+
+/// The arithmetics in the order of the report: integers, of which the narrowest come first, then
+/// floats, of which those come first of which boards have the most effects.
+macro_rules! arithmetics {
+    ($visitor:ident $(
+        #[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident
+        ($form:ident $boards:ident, $bits:literal, $error:expr, $library:expr);
+    )*) => {
+        for place in [
+            (16, "nothing"), (32, "nothing"), (32, "pictures"), (32, "fills"), (32, "digests"),
+        ] {$(
+            if place == ($bits, stringify!($boards)) {
+                use hemidisc::$arithmetic;
+                arithmetics!(@ $kind $visitor $name $arithmetic);
+            }
+        )*}
+    };
+    (@ fixed $visitor:ident $name:literal $arithmetic:ident) => {
+        maps!($visitor $name $arithmetic FixedExponent::from(50));
+    };
+    (@ float $visitor:ident $name:literal $arithmetic:ident) => {
+        maps!($visitor $name $arithmetic 50.0);
+    };
 }
 
 pub(crate) fn every(visitor: &mut impl Visitor) {
-    maps! {
-        visitor:
-        "q15" Q15 FixedExponent::from(50);
-        "q15-div" Q15Div FixedExponent::from(50);
-        "q31" Q31 FixedExponent::from(50);
-        "fast-f32" FastF32 50.0;
-        "micromath-f32" MicromathF32 50.0;
-        "libm-f32" LibmF32 50.0;
-        "libm-f64" LibmF64 50.0;
-    }
+    hemidisc::for_each_arithmetic!(arithmetics visitor);
     converted(visitor);
 }
 

@@ -4,7 +4,6 @@
 use crate::Visitor;
 use core::hint::black_box;
 use hemidisc::arithmetic::Root;
-use hemidisc::{FastF32, MicromathF32};
 use testkit::golden::bare;
 use testkit::golden::render::{self as scenes, Visitor as SceneVisitor};
 use testkit::tracer::{Ambient, Lens, Light, Points, Reflection, Renderer};
@@ -50,7 +49,7 @@ macro_rules! scene {
 
 /// The scenes of an arithmetic.
 macro_rules! scenes {
-    ($visitor:ident: $($name:literal $arithmetic:ident;)*) => {$(
+    ($visitor:ident $name:literal $arithmetic:ident) => {
         scene!($visitor, concat!("render/plain/", $name), |_none, rows| {
             scenes::plain::<$arithmetic>(rows)
         });
@@ -69,29 +68,40 @@ macro_rules! scenes {
         scene!($visitor, concat!("render/still-life/", $name), |exponents, rows| {
             scenes::still_life::<$arithmetic>(exponents, rows)
         });
-    )*};
+    };
 }
 
 /// The plain scene by a renderer without effects.
 macro_rules! bare {
-    ($visitor:ident: $($name:literal $arithmetic:ident;)*) => {$(
+    ($visitor:ident $name:literal $arithmetic:ident) => {
         scene!($visitor, concat!("render/bare/", $name), |_none, rows| {
-            scenes::with_bare::<$arithmetic>(|scene| rows.each(|y, row| {
-                bare::row(&scene, [0, y], 0..1, row);
-            }))
+            scenes::with_bare::<$arithmetic>(|scene| {
+                rows.each(|y, row| {
+                    bare::row(&scene, [0, y], 0..1, row);
+                })
+            })
         });
-    )*};
+    };
+}
+
+/// Scenes in the arithmetics of which boards have pictures.
+macro_rules! arithmetics {
+    ($visitor:ident $scenes:ident $(
+        #[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident
+        ($form:ident $boards:ident $($facts:tt)*);
+    )*) => {
+        $(arithmetics!(@ $boards $visitor $scenes $name $arithmetic);)*
+    };
+    (@ pictures $visitor:ident $scenes:ident $name:literal $arithmetic:ident) => {{
+        use hemidisc::$arithmetic;
+        $scenes!($visitor $name $arithmetic);
+    }};
+    (@ fills $visitor:ident $scenes:ident $name:literal $arithmetic:ident) => {};
+    (@ digests $visitor:ident $scenes:ident $name:literal $arithmetic:ident) => {};
+    (@ nothing $visitor:ident $scenes:ident $name:literal $arithmetic:ident) => {};
 }
 
 pub(crate) fn every(visitor: &mut impl Visitor) {
-    scenes! {
-        visitor:
-        "fast-f32" FastF32;
-        "micromath-f32" MicromathF32;
-    }
-    bare! {
-        visitor:
-        "fast-f32" FastF32;
-        "micromath-f32" MicromathF32;
-    }
+    hemidisc::for_each_arithmetic!(arithmetics visitor scenes);
+    hemidisc::for_each_arithmetic!(arithmetics visitor bare);
 }

@@ -3,6 +3,7 @@
 use crate::folders::root;
 use crate::report::{Record, Report};
 use anyhow::{Context, Result};
+use hemidisc::catalogue::EFFECTS;
 use std::fs;
 
 /// Of the arithmetic that the table is of.
@@ -41,14 +42,9 @@ pub fn table(report: &Report) -> Result<String> {
         "| effect | points drawn | rays sent | instructions a sample, M0 | M4F | flash, bytes, M0 | M4F |\n\
          | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",
     );
-    for (scene, name) in [
-        ("plain", "none"),
-        ("lens", "lens"),
-        ("light", "light"),
-        ("occlusion", "occlusion"),
-        ("glossy", "glossy"),
-        ("still-life", "all four"),
-    ] {
+    let alone = EFFECTS.iter().map(|effect| (*effect, *effect));
+    for (scene, name) in [("plain", "none")].into_iter().chain(alone).chain([("still-life", "all")])
+    {
         let [points, rays] = tally(&golden, scene)?;
         text += &format!("| {name} | {points} | {rays} |");
         for core in CORES {

@@ -5,7 +5,7 @@ use crate::digests::Files;
 use crate::images::Image;
 use crate::qemu::Count;
 use anyhow::{Result, bail, ensure};
-use hemidisc::catalogue::{ARITHMETICS, SEQUENCES};
+use hemidisc::catalogue::{ARITHMETICS, DISC_MAPS, EFFECTS, LOBES, SEQUENCES};
 use serde::Serialize;
 
 /// Points of a fill.
@@ -135,29 +135,82 @@ impl Report {
         Self { compiler, records: Vec::new(), lens: Vec::new() }
     }
 
-    /// Every sequence and every arithmetic of the catalogue is in the report.
+    /// Every member of the catalogue is in the report.
     pub fn covers_the_catalogue(&self) -> Result<()> {
+        let is = |part: &Option<String>, name: &str| part.as_deref() == Some(name);
+        let on_every_core = |what: &str, has: &dyn Fn(&Record) -> bool| {
+            let counted = self.records.iter().filter(|record| has(record)).count();
+            ensure!(
+                counted == CORES.len(),
+                "{what} is counted on {counted} of {} cores",
+                CORES.len()
+            );
+            Ok(())
+        };
         for name in SEQUENCES {
-            let has = |record: &Record| {
-                record.kind == "sequence" && record.sequence.as_deref() == Some(name)
-            };
-            ensure!(self.records.iter().any(has), "the sequence {name} is not counted");
+            on_every_core(&format!("the sequence {name}"), &|record| {
+                record.kind == "sequence" && is(&record.sequence, name)
+            })?;
         }
-        for (kind, of_each_core) in
-            [("turned", 2), ("components", 2), ("effect", 5 * 3), ("render", 7 * 2)]
-        {
+        for arithmetic in ARITHMETICS {
+            for (map, disc) in maps() {
+                on_every_core(&format!("{map} {disc} {arithmetic}"), &|record| {
+                    record.kind == "map"
+                        && is(&record.map, map)
+                        && is(&record.disc, disc)
+                        && is(&record.arithmetic, arithmetic)
+                })?;
+            }
+        }
+        for arithmetic in with_fills() {
+            // A lens has two apertures.
+            for effect in EFFECTS.iter().copied().chain(["lens-5-blades"]) {
+                on_every_core(&format!("{effect} {arithmetic}"), &|record| {
+                    is(&record.effect, effect) && is(&record.arithmetic, arithmetic)
+                })?;
+            }
+        }
+        for arithmetic in with_pictures() {
+            for scene in EFFECTS.iter().copied().chain(["plain", "still-life", "bare"]) {
+                on_every_core(&format!("{scene} {arithmetic}"), &|record| {
+                    is(&record.scene, scene) && is(&record.arithmetic, arithmetic)
+                })?;
+            }
+        }
+        for (kind, of_each_core) in [("turned", 2), ("components", 2)] {
             let counted = self.records.iter().filter(|record| record.kind == kind).count();
             let expected = of_each_core * CORES.len();
             ensure!(counted == expected, "{counted} of {expected} fills of {kind} are counted");
         }
-        for name in ARITHMETICS {
-            let has = |record: &&Record| {
-                record.kind == "map" && record.arithmetic.as_deref() == Some(name)
-            };
-            // Coordinates, rejection, and four maps over two disc maps, on four cores.
-            let maps = self.records.iter().filter(has).count();
-            ensure!(maps >= 10 * 4, "{name}: {maps} of 40 maps are counted");
-        }
         Ok(())
     }
+}
+
+/// Coordinates, rejection, the disc maps, and each lobe over each of these.
+fn maps() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let kinds = ["disc"].iter().chain(LOBES);
+    let over_discs = kinds.flat_map(|kind| DISC_MAPS.iter().map(|disc| (*kind, *disc)));
+    [("square", "-"), ("disc", "rejection")].into_iter().chain(over_discs)
+}
+
+macro_rules! boards {
+    ($(
+        #[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident
+        ($form:ident $boards:ident $($facts:tt)*);
+    )*) => {
+        /// The arithmetics, and what the boards have of effects in each.
+        const OF_EFFECTS: &[(&str, &str)] = &[$(($name, stringify!($boards))),*];
+    };
+}
+hemidisc::for_each_arithmetic!(boards);
+
+/// The arithmetics of which boards have fills of effects.
+fn with_fills() -> impl Iterator<Item = &'static str> {
+    let fills = OF_EFFECTS.iter().filter(|(_, boards)| ["fills", "pictures"].contains(boards));
+    fills.map(|(name, _)| *name)
+}
+
+/// The arithmetics of which boards have pictures.
+pub fn with_pictures() -> impl Iterator<Item = &'static str> {
+    OF_EFFECTS.iter().filter(|(_, boards)| *boards == "pictures").map(|(name, _)| *name)
 }

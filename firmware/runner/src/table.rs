@@ -4,6 +4,7 @@ use crate::cores::CORES;
 use crate::effect_table;
 use crate::report::{Record, Report};
 use anyhow::{Context, Result, bail};
+use hemidisc::catalogue::LOBES;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -112,14 +113,10 @@ fn summary(report: &Report) -> String {
     text += " flash, M0 |\n| --- |";
     text += &" ---: |".repeat(CORES.len() + 1);
     text += "\n";
-    let maps = [
-        ("disc", "concentric"),
-        ("uniform", "concentric"),
-        ("cosine", "concentric"),
-        ("power", "concentric"),
-    ];
+    let maps = ["disc"].iter().chain(LOBES);
     let arithmetics = ["q15", "q15-div", "q31", "q31-to-f32", "fast-f32", "libm-f32"];
-    let wanted = |record: &Record, map: &str, disc: &str| {
+    let disc = "concentric";
+    let wanted = |record: &Record, map: &str| {
         record.core == CORES[0].name
             && record.map.as_deref() == Some(map)
             && (record.disc.as_deref() == Some(disc) || record.peer.is_some() && map != "disc")
@@ -131,8 +128,8 @@ fn summary(report: &Report) -> String {
                 _ => false,
             }
     };
-    for (map, disc) in maps {
-        for record in report.records.iter().filter(|record| wanted(record, map, disc)) {
+    for map in maps {
+        for record in report.records.iter().filter(|record| wanted(record, map)) {
             let counts =
                 on_every_core(report, record).into_iter().map(instructions).collect::<Vec<_>>();
             text += &format!(

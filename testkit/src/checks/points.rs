@@ -8,10 +8,7 @@ use crate::errors::{EachMap, each_map, each_power_map};
 use crate::model::{Op, check_range};
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::catalogue::AVAILABLE_ARITHMETICS;
-use hemidisc::sequence::{
-    Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sequence,
-    Shuffled, Sobol, SobolOwen, Stored,
-};
+use hemidisc::sequence::{self, Hammersley, Sequence, Shuffled, Sobol, Stored};
 use hemidisc::{Concentric, Error, Invert, LibmF32, Points};
 
 #[derive(Arbitrary, Debug)]
@@ -25,43 +22,32 @@ struct Input {
     ops: Vec<Op>,
 }
 
-/// Any sequence of any parameters.
-#[derive(Arbitrary, Debug)]
-enum Source {
-    Regular(Regular),
-    Random(Random),
-    Jittered(Jittered),
-    NRooks(NRooks),
-    MultiJittered(MultiJittered),
-    Correlated(Correlated),
-    Hammersley(Hammersley),
-    Halton(Halton),
-    Sobol(Sobol),
-    SobolOwen(SobolOwen),
-    R2(R2),
-    Stored(Box<[[u32; 2]; 90]>),
-    ShuffledSet(Shuffled<Hammersley>),
-    ShuffledSequence(Shuffled<Sobol>),
+macro_rules! sources {
+    ($($file:ident $sequence:ident $name:literal $kind:ident $new:ident $parts:tt;)*) => {
+        /// Any sequence of any parameters.
+        #[derive(Arbitrary, Debug)]
+        enum Source {
+            $($sequence(sequence::$sequence),)*
+            Stored(Box<[[u32; 2]; 90]>),
+            ShuffledSet(Shuffled<Hammersley>),
+            ShuffledSequence(Shuffled<Sobol>),
+        }
+
+        fn of_source(input: &Input) {
+            match input.source {
+                $(Source::$sequence(sequence) => operations(sequence, input),)*
+                Source::Stored(ref points) => operations(Stored::new(&points[..]).unwrap(), input),
+                Source::ShuffledSet(set) => operations(set, input),
+                Source::ShuffledSequence(sequence) => operations(sequence, input),
+            }
+        }
+    };
 }
+hemidisc::for_each_sequence!(sources);
 
 pub fn check(data: &[u8]) -> arbitrary::Result<()> {
     let input: Input = Unstructured::new(data).arbitrary()?;
-    match input.source {
-        Source::Regular(set) => operations(set, &input),
-        Source::Random(set) => operations(set, &input),
-        Source::Jittered(set) => operations(set, &input),
-        Source::NRooks(set) => operations(set, &input),
-        Source::MultiJittered(set) => operations(set, &input),
-        Source::Correlated(set) => operations(set, &input),
-        Source::Hammersley(set) => operations(set, &input),
-        Source::Halton(set) => operations(set, &input),
-        Source::Sobol(set) => operations(set, &input),
-        Source::SobolOwen(set) => operations(set, &input),
-        Source::R2(set) => operations(set, &input),
-        Source::Stored(ref points) => operations(Stored::new(&points[..]).unwrap(), &input),
-        Source::ShuffledSet(set) => operations(set, &input),
-        Source::ShuffledSequence(set) => operations(set, &input),
-    }
+    of_source(&input);
     let turn = usize::from(input.arithmetic) % AVAILABLE_ARITHMETICS.len();
     every_arithmetic(&mut Filled { input: &input, name: AVAILABLE_ARITHMETICS[turn] });
     Ok(())

@@ -1,25 +1,8 @@
-//! The arithmetics of floats with a square root, which frames and effects take.
+//! Numbers for frames and effects, in the arithmetics of floats.
 
+pub use crate::arithmetics::{EachRoot, every_root};
 use crate::arithmetics::{Number, Tested};
-use hemidisc::arithmetic::{Real, Root};
-
-/// Something to do with each of them.
-pub trait EachRoot {
-    fn each<A: Root<Real: Real> + Tested>(&mut self);
-}
-
-macro_rules! roots {
-    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident $facts:tt;)*) => {
-        pub fn every_root(visitor: &mut impl EachRoot) {
-            $(roots!(@$kind visitor $arithmetic);)*
-        }
-    };
-    (@float $visitor:ident $arithmetic:ident) => {
-        $visitor.each::<hemidisc::$arithmetic>()
-    };
-    (@fixed $visitor:ident $arithmetic:ident) => {};
-}
-hemidisc::for_each_arithmetic!(roots);
+use hemidisc::arithmetic::Real;
 
 /// The numbers of the arithmetic nearest to those given; infinite where it has none as large.
 pub fn nearest<A: Tested, const N: usize>(numbers: [f64; N]) -> [A::Real; N] {

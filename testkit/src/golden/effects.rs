@@ -54,22 +54,35 @@ fn light<A: Root<Real: Digestible>>(light: DiscLight<A>) -> u64 {
     })
 }
 
-/// The lines of one arithmetic.
-pub fn effects<A: Root<Real: Digestible>>(lines: &mut dyn FnMut(Arguments)) -> Result<(), Error> {
-    let (zero, half, one) = (A::Real::ZERO, A::Real::HALF, A::Real::ONE);
-    let mut line = |effect: &str, digest: u64| {
-        lines(format_args!("{} {effect} {digest:016x}", A::NAME));
-    };
+/// Takes the name and the digest of a line.
+type Line<'a> = &'a mut dyn FnMut(&str, u64);
+
+fn thin_lens<A: Root<Real: Digestible>>(line: Line) -> Result<(), Error> {
     line("lens", lens::<A>(Concentric::<A>::new())?);
     line("lens of 5 blades", lens::<A>(Polygon::<A, 5>::new(1 << 29))?);
+    Ok(())
+}
+
+fn disc_light<A: Root<Real: Digestible>>(line: Line) -> Result<(), Error> {
+    let (zero, half, one) = (A::Real::ZERO, A::Real::HALF, A::Real::ONE);
     let down = Frame::new([zero, zero, -one])?;
     let lamp = DiscLight::<A>::new([zero, half, one], down, half)?;
     line("light", light(lamp));
     line("light to both sides", light(lamp.two_sided()));
+    Ok(())
+}
+
+fn ambient_occlusion<A: Root<Real: Digestible>>(line: Line) -> Result<(), Error> {
+    let (zero, one) = (A::Real::ZERO, A::Real::ONE);
     let up = Frame::new([zero, one, zero])?;
     let occlusion = AmbientOcclusion::<A>::new(one)?;
     line("occlusion", digest_of(|digest, uv| take(digest, occlusion.sample(&up, uv))));
-    let along = Unit::new([one, zero, zero])?;
+    Ok(())
+}
+
+fn glossy<A: Root<Real: Digestible>>(line: Line) -> Result<(), Error> {
+    let (zero, one) = (A::Real::ZERO, A::Real::ONE);
+    let (along, up) = (Unit::new([one, zero, zero])?, Unit::new([zero, one, zero])?);
     for (name, below) in [
         ("glossy, reject", BelowHorizon::Reject),
         ("glossy, flip", BelowHorizon::Flip),
@@ -81,7 +94,7 @@ pub fn effects<A: Root<Real: Digestible>>(lines: &mut dyn FnMut(Arguments)) -> R
             name,
             digest_of(|digest, uv| {
                 // Along the surface, so that half of the lobe is below it.
-                if let Some(sample) = glossy.sample(along, up.unit(), uv) {
+                if let Some(sample) = glossy.sample(along, up, uv) {
                     take(digest, sample);
                 }
             }),
@@ -89,3 +102,46 @@ pub fn effects<A: Root<Real: Digestible>>(lines: &mut dyn FnMut(Arguments)) -> R
     }
     Ok(())
 }
+
+macro_rules! effects {
+    ($($file:ident $effect:ident $name:literal;)*) => {
+        /// The lines of one arithmetic: each effect's are those of the function that is called as
+        /// its file is.
+        pub fn effects<A>(lines: &mut dyn FnMut(Arguments)) -> Result<(), Error>
+        where
+            A: Root<Real: Digestible>,
+        {
+            let mut line = |effect: &str, digest: u64| {
+                lines(format_args!("{} {effect} {digest:016x}", A::NAME));
+            };
+            $($file::<A>(&mut line)?;)*
+            Ok(())
+        }
+    };
+}
+hemidisc::for_each_effect!(effects);
+
+macro_rules! file {
+    ($(
+        #[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident
+        ($form:ident $boards:ident $($facts:tt)*);
+    )*) => {
+        /// The lines of every arithmetic of floats, first of those of which boards have the most.
+        pub fn file(lines: &mut dyn FnMut(Arguments)) -> Result<(), Error> {
+            for boards in ["pictures", "fills", "digests"] {
+                $(
+                    #[$cfg]
+                    file!(@ $kind $boards boards $arithmetic lines);
+                )*
+            }
+            Ok(())
+        }
+    };
+    (@ float $own:ident $boards:ident $arithmetic:ident $lines:ident) => {
+        if stringify!($own) == $boards {
+            effects::<hemidisc::$arithmetic>($lines)?;
+        }
+    };
+    (@ fixed $own:ident $boards:ident $arithmetic:ident $lines:ident) => {};
+}
+hemidisc::for_each_arithmetic!(file);

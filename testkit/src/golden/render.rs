@@ -219,3 +219,26 @@ pub fn digests<A: Root<Real: Digestible>>(lines: &mut dyn FnMut(Arguments)) -> R
     with_gloss::<A>(exponents, &mut visitor)?;
     still_life::<A>(exponents, &mut visitor)
 }
+
+macro_rules! file {
+    ($(
+        #[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident
+        ($form:ident $boards:ident $($facts:tt)*);
+    )*) => {
+        /// The lines of every arithmetic of which boards have pictures.
+        pub fn file(lines: &mut dyn FnMut(Arguments)) -> Result<(), Error> {
+            $(
+                #[$cfg]
+                file!(@ $boards $arithmetic lines);
+            )*
+            Ok(())
+        }
+    };
+    (@ pictures $arithmetic:ident $lines:ident) => {
+        digests::<hemidisc::$arithmetic>($lines)?
+    };
+    (@ fills $arithmetic:ident $lines:ident) => {};
+    (@ digests $arithmetic:ident $lines:ident) => {};
+    (@ nothing $arithmetic:ident $lines:ident) => {};
+}
+hemidisc::for_each_arithmetic!(file);

@@ -1,7 +1,9 @@
 //! The list of what is tested: the catalogue's maps, and power lobes, in each arithmetic, as
 //! functions of f64.
 
-use hemidisc::catalogue::{AVAILABLE_ARITHMETICS, MapVisitor, maps, power_maps};
+use hemidisc::catalogue::{
+    AVAILABLE_ARITHMETICS, DISC_MAPS, LOBES, MapVisitor, POWER_LOBES, maps, power_maps,
+};
 use hemidisc::{Invert, arithmetic::Arithmetic};
 use testkit::arithmetics::{EachArithmetic, Exponent, Number, Tested, every_arithmetic, peak};
 use testkit::contract::{Contract, contract};
@@ -130,7 +132,9 @@ pub(crate) fn every_case(mut run: impl FnMut(&Case)) {
         count += 1;
         run(case);
     }));
-    assert_eq!(count, AVAILABLE_ARITHMETICS.len() * (6 + 2 * EXPONENTS.len()), "cases");
+    let powers = POWER_LOBES.len();
+    let over_a_disc = 1 + LOBES.len() - powers + powers * EXPONENTS.len();
+    assert_eq!(count, AVAILABLE_ARITHMETICS.len() * DISC_MAPS.len() * over_a_disc, "cases");
 }
 
 /// Runs a test on every lobe.

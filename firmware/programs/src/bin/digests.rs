@@ -4,8 +4,8 @@
 #![no_main]
 
 use board::{end, println};
+use hemidisc::Error;
 use hemidisc::arithmetic::Arithmetic;
-use hemidisc::{Error, FastF32, LibmF32, LibmF64, MicromathF32, Q15, Q15Div, Q31};
 use testkit::digest::Digestible;
 use testkit::golden::lines;
 
@@ -16,7 +16,9 @@ fn file<A: Arithmetic<Real: Digestible>>() -> Result<(), Error> {
 
 /// The file of each arithmetic.
 macro_rules! arithmetics {
-    ($($arithmetic:ident)*) => { $(file::<$arithmetic>()?;)* };
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident $facts:tt;)*) => {
+        $(file::<hemidisc::$arithmetic>()?;)*
+    };
 }
 
 fn files() -> Result<(), Error> {
@@ -24,7 +26,7 @@ fn files() -> Result<(), Error> {
     lines::squares(&mut |line| println!("{line}"))?;
     println!("file domain");
     lines::domains(&mut |line| println!("{line}"))?;
-    arithmetics!(Q15 Q15Div Q31 FastF32 MicromathF32 LibmF32 LibmF64);
+    hemidisc::for_each_arithmetic!(arithmetics);
     Ok(())
 }
 

@@ -4,23 +4,14 @@
 #![no_main]
 
 use board::{end, println};
-use hemidisc::{Error, FastF32, LibmF32, LibmF64, MicromathF32};
+use hemidisc::Error;
 use testkit::golden::{effects, render};
-
-/// The lines of each arithmetic.
-macro_rules! arithmetics {
-    ($module:ident::$lines:ident, $line:expr, $($arithmetic:ident)*) => {
-        $($module::$lines::<$arithmetic>($line)?;)*
-    };
-}
 
 fn files() -> Result<(), Error> {
     println!("file effects");
-    let mut line = |line: core::fmt::Arguments| println!("{line}");
-    arithmetics!(effects::effects, &mut line, FastF32 MicromathF32 LibmF32 LibmF64);
+    effects::file(&mut |line| println!("{line}"))?;
     println!("file render");
-    arithmetics!(render::digests, &mut line, FastF32 MicromathF32);
-    Ok(())
+    render::file(&mut |line| println!("{line}"))
 }
 
 #[board::entry]
