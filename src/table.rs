@@ -1,9 +1,5 @@
 //! Tables of points that the compiler computes, for a `static` in flash.
 
-#[cfg(not(all(target_arch = "x86", not(target_feature = "sse2"))))]
-use crate::arithmetic::FastF32;
-#[cfg(feature = "fixed-point")]
-use crate::arithmetic::{Q15, Q15Div, Q31};
 use crate::disc::{Concentric, Polar};
 use crate::hemisphere::{CosineLobe, Hemisphere, PowerLobe, UniformLobe};
 
@@ -121,11 +117,26 @@ macro_rules! table {
 
 /// The maps of an arithmetic whose kernels are `const`, in constants.
 macro_rules! const_maps {
-    ($arithmetic:ident, $real:ident) => {
-        const_maps!($arithmetic, $real, Concentric, concentric, disc_concentric);
-        const_maps!($arithmetic, $real, Polar, polar, disc_polar);
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident
+        ($form:ident $($facts:tt)*);)*) => {
+        $(const_maps! { $form $kind #[$cfg] $arithmetic })*
     };
-    ($arithmetic:ident, $real:ident, $disc:ident, $point:ident, $kernel:ident) => {
+    (const float #[$cfg:meta] $arithmetic:ident) => {
+        // Such a processor has no arithmetic of floats.
+        #[cfg(not(all(target_arch = "x86", not(target_feature = "sse2"))))]
+        const_maps! { const fixed #[$cfg] $arithmetic }
+    };
+    (const fixed #[$cfg:meta] $arithmetic:ident) => {
+        #[$cfg]
+        const _: () = {
+            use crate::arithmetic::$arithmetic;
+            type Real = <$arithmetic as crate::arithmetic::Arithmetic>::Real;
+            const_maps!($arithmetic, Concentric, concentric, disc_concentric);
+            const_maps!($arithmetic, Polar, polar, disc_polar);
+        };
+    };
+    (runtime $kind:ident #[$cfg:meta] $arithmetic:ident) => {};
+    ($arithmetic:ident, $disc:ident, $point:ident, $kernel:ident) => {
         impl $disc<$arithmetic> {
             /// The map, for [`table!`](crate::table).
             #[doc(hidden)]
@@ -134,7 +145,7 @@ macro_rules! const_maps {
             /// [`sample`](crate::Map::sample) for [`table!`](crate::table).
             #[doc(hidden)]
             #[must_use]
-            pub const fn const_sample(&self, uv: [u32; 2]) -> [$real; 2] {
+            pub const fn const_sample(&self, uv: [u32; 2]) -> [Real; 2] {
                 <$arithmetic>::$point(uv)
             }
         }
@@ -147,7 +158,7 @@ macro_rules! const_maps {
             /// [`sample`](crate::Map::sample) for [`table!`](crate::table).
             #[doc(hidden)]
             #[must_use]
-            pub const fn const_sample(&self, uv: [u32; 2]) -> [$real; 3] {
+            pub const fn const_sample(&self, uv: [u32; 2]) -> [Real; 3] {
                 <$arithmetic>::lift_uniform(<$arithmetic>::$kernel(uv))
             }
         }
@@ -160,7 +171,7 @@ macro_rules! const_maps {
             /// [`sample`](crate::Map::sample) for [`table!`](crate::table).
             #[doc(hidden)]
             #[must_use]
-            pub const fn const_sample(&self, uv: [u32; 2]) -> [$real; 3] {
+            pub const fn const_sample(&self, uv: [u32; 2]) -> [Real; 3] {
                 <$arithmetic>::lift_cosine(<$arithmetic>::$kernel(uv))
             }
         }
@@ -169,17 +180,10 @@ macro_rules! const_maps {
             /// [`sample`](crate::Map::sample) for [`table!`](crate::table).
             #[doc(hidden)]
             #[must_use]
-            pub const fn const_sample(&self, uv: [u32; 2]) -> [$real; 3] {
+            pub const fn const_sample(&self, uv: [u32; 2]) -> [Real; 3] {
                 <$arithmetic>::lift_power(self.lobe().prepared(), <$arithmetic>::$kernel(uv))
             }
         }
     };
 }
-#[cfg(not(all(target_arch = "x86", not(target_feature = "sse2"))))]
-const_maps!(FastF32, f32);
-#[cfg(feature = "fixed-point")]
-const_maps!(Q31, Q31);
-#[cfg(feature = "fixed-point")]
-const_maps!(Q15, Q15);
-#[cfg(feature = "fixed-point")]
-const_maps!(Q15Div, Q15);
+for_each_arithmetic!(const_maps);
