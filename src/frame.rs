@@ -94,11 +94,17 @@ impl<R: Real> Frame<R> {
     /// [`Error::NoDirection`] for a tangent that is zero, infinite or not a number, and
     /// [`Error::Parallel`] for one within 16 ulp of 1 of the normal or its opposite.
     pub fn with_tangent(normal: Unit<R>, tangent: [R; 3]) -> Result<Self, Error> {
+        // The first axis of a frame gives that frame again, bit for bit: that of the frame about the
+        // normal alone may be as far from orthogonal as the normal is from unit length, and another
+        // has lost no more than rounding.
+        let plain = Self::from(normal);
+        if tangent == plain.x {
+            return Ok(plain);
+        }
         let z = normal.get();
         let mut x = Unit::normalized(tangent)?.get();
         let cosine = R::dot(x, z);
-        // A first axis keeps its bits.
-        if cosine.magnitude() > R::EPSILON * R::TWO {
+        if cosine.magnitude() > R::EPSILON * R::FOUR {
             let across = rejected(x, z);
             let room = R::EPSILON * R::FOUR * R::FOUR;
             if R::dot(across, across) <= room * room {
@@ -109,8 +115,6 @@ impl<R: Real> Frame<R> {
             x = Unit::normalized(across)?.get();
             x = Unit::normalized(rejected(x, z))?.get();
         }
-        // A frame is a function of its third and first axis.
-        let plain = Self::from(normal);
         if x == plain.x { Ok(plain) } else { Ok(Self { x, y: cross(z, x), z: normal }) }
     }
 

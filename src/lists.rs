@@ -82,7 +82,7 @@ macro_rules! for_each_arithmetic {
     };
 }
 
-/// The disc maps: file, type and name.
+/// The disc maps of `map/disc.rs`: kernel, type and name.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! for_each_disc_map {
