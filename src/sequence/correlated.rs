@@ -6,9 +6,9 @@
 //! r m + c, after a shuffle of the order of all points.
 
 use super::Sequence;
+use super::walk::repeat;
 use super::walk::{block_in_order, indices, is_inside};
 use crate::bits::grid::{Grid, grid_getters};
-use super::walk::repeat;
 use crate::bits::{
     hash::{Jitter, key},
     permute::{permute, permute_block},

@@ -5,8 +5,8 @@
 //! ceil(2^32 x) of the exact rational x, so that it lies in the stratum of every base that x does.
 
 use super::Sequence;
-use super::walk::{Walk, block_in_order, walks};
 use super::walk::Reversed;
+use super::walk::{Walk, block_in_order, walks};
 use crate::bits::wide::high;
 use crate::block::Block;
 use crate::target::HALVES;

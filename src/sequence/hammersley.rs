@@ -1,10 +1,10 @@
 //! Hammersley set of N points: u = i / N, v = the radical inverse of i in base 2
 //! (J. Hammersley, "Monte Carlo Methods for Solving Multivariable Problems", 1960).
 
+use super::walk::Reversed;
+use super::walk::repeat;
 use super::walk::{Walk, walks};
 use super::{Sequence, not_empty};
-use super::walk::repeat;
-use super::walk::Reversed;
 use crate::bits::strata::Strata;
 use crate::error::Error;
 

@@ -2,9 +2,9 @@
 //! (R. Cook, "Stochastic Sampling in Computer Graphics", 1986).
 
 use super::Sequence;
+use super::walk::repeat;
 use super::walk::{Walk, block_in_order, walks};
 use crate::bits::grid::{Grid, grid_getters};
-use super::walk::repeat;
 use crate::bits::{hash::Jitter, strata::Strata};
 use crate::block::Block;
 use crate::error::Error;

@@ -6,9 +6,9 @@
 //! columns of row r, each with a key of its own.
 
 use super::Sequence;
+use super::walk::repeat;
 use super::walk::{Walk, block_in_order, is_inside, walks};
 use crate::bits::grid::{Grid, grid_getters};
-use super::walk::repeat;
 use crate::bits::{
     hash::{Jitter, key, mix},
     permute::{permute, permute_each},

@@ -1,9 +1,9 @@
 //! N-rooks (Latin hypercube) points: N rooks on an N x N board, none attacking another
 //! (P. Shirley, "Discrepancy as a Quality Measure for Sample Distributions", 1991).
 
+use super::walk::repeat;
 use super::walk::{Walk, block_in_order, indices, is_inside, walks};
 use super::{Sequence, not_empty};
-use super::walk::repeat;
 use crate::bits::{
     hash::{Jitter, key},
     permute::{permute, permute_block},

@@ -4,9 +4,9 @@
 //! on the edge of a stratum. Point i is in column i mod m, row i / m.
 
 use super::Sequence;
+use super::walk::repeat;
 use super::walk::{Walk, block_in_order, walks};
 use crate::bits::grid::{Grid, grid_getters};
-use super::walk::repeat;
 use crate::bits::strata::Strata;
 use crate::block::Block;
 use crate::error::Error;

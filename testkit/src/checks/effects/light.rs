@@ -90,7 +90,8 @@ fn is_sound<A: Root<Real: Real> + Tested>(
     assert_eq!(density > 0.0, weight > 0.0, "{}", what());
     assert!(all_finite(sample.direction), "{}", what());
     let length = dot(sample.direction, sample.direction);
-    assert!((length - 1.0).abs() <= 32.0 * A::DENSITY_ERROR, "{}: {length}", what());
+    // It may be the light's normal: within 16 ulp, and its own sum has rounded.
+    assert!((length - 1.0).abs() <= 36.0 * A::DENSITY_ERROR, "{}: {length}", what());
     assert!(all_finite([light.area(), light.area_density()]), "{}", what());
     assert!(all_finite(sample.point), "{}", what());
     let [radius] = wide(nearest::<A, 1>([input.radius]));
