@@ -129,7 +129,9 @@ fn is_exact<A: Root<Real: Real> + Tested>(
     let [radius] = wide(nearest::<A, 1>([input.radius]));
     // A point of it is off by its own rounding error.
     let size = sizes[0] + sizes[1] + radius;
-    let thick = 4.0 * eps::<A::Real>() * size / square.sqrt();
+    // The disc leans by as much as its normal is from unit length.
+    let lean = (dot(normal, normal) - 1.0).abs() * radius;
+    let thick = (4.0 * eps::<A::Real>() * size + lean) / square.sqrt();
     let [weight] = wide([sample.weight]);
     let exact = if weight > 0.0 { cosine.abs() } else { cosine.min(0.0) } / square;
     let room = (16.0 * A::DENSITY_ERROR + thick) / square + smallest;
