@@ -18,6 +18,15 @@ pub(crate) const BLOCKED: bool = cfg!(not(any(target_arch = "arm", target_arch =
 pub(crate) const ROUNDS_FLOATS: bool =
     cfg!(not(all(target_arch = "x86", not(target_feature = "sse2"))));
 
+/// Items that are left out where floats do not round: what no generic function can refuse.
+macro_rules! where_floats_round {
+    ($($item:item)*) => {$(
+        #[cfg(not(all(target_arch = "x86", not(target_feature = "sse2"))))]
+        $item
+    )*};
+}
+pub(crate) use where_floats_round;
+
 /// Whether a branch costs less than the operations that avoid it: where nothing becomes vector
 /// code. With branches the kernels of fast f32 take a third fewer instructions on the M3 and M4F.
 pub(crate) const BRANCHES: bool = !BLOCKED;

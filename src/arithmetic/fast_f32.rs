@@ -34,7 +34,7 @@ mod tests;
 use super::{Arithmetic, DiscPoint, KernelOf, Root, sealed::Sealed};
 use crate::block::{Block, Lanes};
 use crate::error::Error;
-use crate::target::{BRANCHES, ROUNDS_FLOATS};
+use crate::target::{BRANCHES, ROUNDS_FLOATS, where_floats_round};
 use back::Functions;
 use disc::FastDisc;
 use functions::normal_sqrt;
@@ -55,27 +55,28 @@ use lobes::FastExponent;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FastF32;
 
-#[cfg(not(all(target_arch = "x86", not(target_feature = "sse2"))))]
-impl FastF32 {
-    /// The concentric map: what [`Concentric`](crate::Concentric) gives, as a `const fn`.
-    #[must_use]
-    #[inline(always)]
-    pub const fn concentric(uv: [u32; 2]) -> [f32; 2] {
-        disc::concentric::<BRANCHES>(uv).point
-    }
+where_floats_round! {
+    impl FastF32 {
+        /// The concentric map: what [`Concentric`](crate::Concentric) gives, as a `const fn`.
+        #[must_use]
+        #[inline(always)]
+        pub const fn concentric(uv: [u32; 2]) -> [f32; 2] {
+            disc::concentric::<BRANCHES>(uv).point
+        }
 
-    /// The polar map: what [`Polar`](crate::Polar) gives, as a `const fn`.
-    #[must_use]
-    #[inline(always)]
-    pub const fn polar(uv: [u32; 2]) -> [f32; 2] {
-        disc::polar::<BRANCHES>(uv).point
-    }
+        /// The polar map: what [`Polar`](crate::Polar) gives, as a `const fn`.
+        #[must_use]
+        #[inline(always)]
+        pub const fn polar(uv: [u32; 2]) -> [f32; 2] {
+            disc::polar::<BRANCHES>(uv).point
+        }
 
-    /// Square root of x in [0, MAX], which `core` does not have.
-    #[must_use]
-    #[inline]
-    pub const fn sqrt(x: f32) -> f32 {
-        functions::sqrt(x)
+        /// Square root of x in [0, MAX], which `core` does not have.
+        #[must_use]
+        #[inline]
+        pub const fn sqrt(x: f32) -> f32 {
+            functions::sqrt(x)
+        }
     }
 }
 

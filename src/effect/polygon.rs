@@ -4,8 +4,9 @@
 //! Heitz, "A Low-Distortion Map Between Triangle and Square", 2019: no square root, and neighbours
 //! stay neighbours.
 
-use crate::arithmetic::{Arithmetic, FastF32, Real, RealKernel};
+use crate::arithmetic::{Arithmetic, Real, RealKernel};
 use crate::map::{Density, Invert, Map, Polar};
+use crate::target::where_floats_round;
 
 /// The unit square onto a regular polygon of N corners on the unit circle; area ratios are kept.
 ///
@@ -41,21 +42,25 @@ impl<A: Arithmetic, const N: usize> Polygon<A, N> {
     }
 }
 
-impl<const N: usize> Polygon<FastF32, N> {
-    /// [`new`](Self::new), as a `const fn`: for an aperture in a `static`.
-    #[must_use]
-    pub const fn const_new(rotation: u32) -> Self {
-        let () = Self::AT_LEAST_3;
-        let mut corners = [[0.0; 2]; N];
-        let mut corner = 0;
-        while corner < N {
-            corners[corner] = FastF32::polar(place(corner, N, rotation));
-            corner += 1;
-        }
-        Self {
-            #[cfg(any(feature = "serde", feature = "defmt"))]
-            rotation,
-            corners,
+where_floats_round! {
+    use crate::arithmetic::FastF32;
+
+    impl<const N: usize> Polygon<FastF32, N> {
+        /// [`new`](Self::new), as a `const fn`: for an aperture in a `static`.
+        #[must_use]
+        pub const fn const_new(rotation: u32) -> Self {
+            let () = Self::AT_LEAST_3;
+            let mut corners = [[0.0; 2]; N];
+            let mut corner = 0;
+            while corner < N {
+                corners[corner] = FastF32::polar(place(corner, N, rotation));
+                corner += 1;
+            }
+            Self {
+                #[cfg(any(feature = "serde", feature = "defmt"))]
+                rotation,
+                corners,
+            }
         }
     }
 }
