@@ -93,7 +93,7 @@ macro_rules! table {
     };
     (@points $map:expr, $sequence:expr, $count:expr) => {{
         // In a constant even where the table is not one.
-        #[allow(long_running_const_eval)]
+        #[allow(long_running_const_eval, reason = "a table takes a known time")]
         let table = const {
             let (map, sequence) = ($map, $sequence);
             if let ::core::option::Option::Some(size) = sequence.size() {
@@ -122,9 +122,7 @@ macro_rules! const_maps {
         $(const_maps! { $form $kind #[$cfg] $arithmetic })*
     };
     (const float #[$cfg:meta] $arithmetic:ident) => {
-        // Such a processor has no arithmetic of floats.
-        #[cfg(not(all(target_arch = "x86", not(target_feature = "sse2"))))]
-        const_maps! { const fixed #[$cfg] $arithmetic }
+        crate::target::where_floats_round! { const_maps! { const fixed #[$cfg] $arithmetic } }
     };
     (const fixed #[$cfg:meta] $arithmetic:ident) => {
         #[$cfg]
@@ -150,31 +148,8 @@ macro_rules! const_maps {
             }
         }
 
-        impl Hemisphere<UniformLobe<$arithmetic>, $disc<$arithmetic>> {
-            /// The map, for [`table!`](crate::table).
-            #[doc(hidden)]
-            pub const VALUE: Self = Self::over($disc::new());
-
-            /// [`sample`](crate::Map::sample) for [`table!`](crate::table).
-            #[doc(hidden)]
-            #[must_use]
-            pub const fn const_sample(&self, uv: [u32; 2]) -> [Real; 3] {
-                <$arithmetic>::lift_uniform(<$arithmetic>::$kernel(uv))
-            }
-        }
-
-        impl Hemisphere<CosineLobe<$arithmetic>, $disc<$arithmetic>> {
-            /// The map, for [`table!`](crate::table).
-            #[doc(hidden)]
-            pub const VALUE: Self = Self::over($disc::new());
-
-            /// [`sample`](crate::Map::sample) for [`table!`](crate::table).
-            #[doc(hidden)]
-            #[must_use]
-            pub const fn const_sample(&self, uv: [u32; 2]) -> [Real; 3] {
-                <$arithmetic>::lift_cosine(<$arithmetic>::$kernel(uv))
-            }
-        }
+        const_maps!($arithmetic, $disc, $kernel, UniformLobe over lift_uniform);
+        const_maps!($arithmetic, $disc, $kernel, CosineLobe over lift_cosine);
 
         impl Hemisphere<PowerLobe<$arithmetic>, $disc<$arithmetic>> {
             /// [`sample`](crate::Map::sample) for [`table!`](crate::table).
@@ -182,6 +157,20 @@ macro_rules! const_maps {
             #[must_use]
             pub const fn const_sample(&self, uv: [u32; 2]) -> [Real; 3] {
                 <$arithmetic>::lift_power(self.lobe().prepared(), <$arithmetic>::$kernel(uv))
+            }
+        }
+    };
+    ($arithmetic:ident, $disc:ident, $kernel:ident, $lobe:ident over $lift:ident) => {
+        impl Hemisphere<$lobe<$arithmetic>, $disc<$arithmetic>> {
+            /// The map, for [`table!`](crate::table).
+            #[doc(hidden)]
+            pub const VALUE: Self = Self::over($disc::new());
+
+            /// [`sample`](crate::Map::sample) for [`table!`](crate::table).
+            #[doc(hidden)]
+            #[must_use]
+            pub const fn const_sample(&self, uv: [u32; 2]) -> [Real; 3] {
+                <$arithmetic>::$lift(<$arithmetic>::$kernel(uv))
             }
         }
     };

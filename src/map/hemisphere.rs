@@ -13,9 +13,7 @@ for_each_lobe!(modules);
 
 use super::disc::{Concentric, DiscMap, LoweredOf};
 use super::{Density, Invert, Map, sealed::Sealed};
-use crate::arithmetic::{Arithmetic, FastF32, FloatBack, KernelOf, Root, assert_rounds};
-#[cfg(feature = "fixed-point")]
-use crate::arithmetic::{FixedExponent, Q15, Q15Div, Q31};
+use crate::arithmetic::{Arithmetic, FloatBack, KernelOf, Root, assert_rounds};
 use crate::block::{Block, Lanes};
 use crate::error::Error;
 use crate::frame::{About, Frame};
@@ -156,39 +154,49 @@ impl<A: Arithmetic, D: DiscMap<Arithmetic = A>> Hemisphere<PowerLobe<A>, D> {
 }
 
 /// The constructors of power lobes, as `const fn`, in the arithmetics whose kernels are.
-macro_rules! const_power {
-    ($arithmetic:ident, $parameter:ty) => {
-        impl Hemisphere<PowerLobe<$arithmetic>, Concentric<$arithmetic>> {
-            /// [`new`](Self::new), as a `const fn`: for a lobe in a `static`.
-            ///
-            /// # Errors
-            /// Those of `new`.
-            pub const fn const_new(exponent: $parameter) -> Result<Self, Error> {
-                Self::const_over(exponent, Concentric::new())
-            }
-        }
+macro_rules! const_powers {
+    ($(#[$cfg:meta] $file:ident $arithmetic:ident $name:literal $kind:ident
+        ($form:ident $($facts:tt)*);)*) => {
+        $(const_powers! { $form $kind #[$cfg] $arithmetic })*
+    };
+    (runtime $kind:ident #[$cfg:meta] $arithmetic:ident) => {};
+    (const float #[$cfg:meta] $arithmetic:ident) => {
+        const_powers! { #[$cfg] $arithmetic, f32 }
+    };
+    (const fixed #[$cfg:meta] $arithmetic:ident) => {
+        const_powers! { #[$cfg] $arithmetic, crate::arithmetic::FixedExponent }
+    };
+    (#[$cfg:meta] $arithmetic:ident, $parameter:ty) => {
+        #[$cfg]
+        const _: () = {
+            use crate::arithmetic::$arithmetic;
 
-        impl<D: DiscMap<Arithmetic = $arithmetic>> Hemisphere<PowerLobe<$arithmetic>, D> {
-            /// [`over`](Self::over), as a `const fn`.
-            ///
-            /// # Errors
-            /// Those of `over`.
-            pub const fn const_over(exponent: $parameter, disc: D) -> Result<Self, Error> {
-                match $arithmetic::prepared(exponent) {
-                    Ok(exponent) => Ok(Self { lobe: PowerLobe::of(exponent), disc }),
-                    Err(error) => Err(error),
+            impl Hemisphere<PowerLobe<$arithmetic>, Concentric<$arithmetic>> {
+                /// [`new`](Self::new), as a `const fn`: for a lobe in a `static`.
+                ///
+                /// # Errors
+                /// Those of `new`.
+                pub const fn const_new(exponent: $parameter) -> Result<Self, Error> {
+                    Self::const_over(exponent, Concentric::new())
                 }
             }
-        }
+
+            impl<D: DiscMap<Arithmetic = $arithmetic>> Hemisphere<PowerLobe<$arithmetic>, D> {
+                /// [`over`](Self::over), as a `const fn`.
+                ///
+                /// # Errors
+                /// Those of `over`.
+                pub const fn const_over(exponent: $parameter, disc: D) -> Result<Self, Error> {
+                    match $arithmetic::prepared(exponent) {
+                        Ok(exponent) => Ok(Self { lobe: PowerLobe::of(exponent), disc }),
+                        Err(error) => Err(error),
+                    }
+                }
+            }
+        };
     };
 }
-const_power!(FastF32, f32);
-#[cfg(feature = "fixed-point")]
-const_power!(Q31, FixedExponent);
-#[cfg(feature = "fixed-point")]
-const_power!(Q15, FixedExponent);
-#[cfg(feature = "fixed-point")]
-const_power!(Q15Div, FixedExponent);
+for_each_arithmetic!(const_powers);
 
 impl<A: Arithmetic, D> Hemisphere<PowerLobe<A>, D> {
     /// The exponent as it was given.

@@ -40,16 +40,12 @@ macro_rules! test_each_float {
     };
     (@ $run:ident
         $(#[$cfg:meta] $test:ident $arithmetic:ident $name:literal $kind:ident $facts:tt;)*) => {
-        $(tests! { $kind $run #[$cfg] $test $arithmetic })*
+        $(tests! { $kind $run #[$cfg] $test $arithmetic $name $kind $facts; })*
     };
-    (float $run:ident #[$cfg:meta] $test:ident $arithmetic:ident) => {
-        #[$cfg]
-        #[test]
-        fn $test() {
-            super::$run::<hemidisc::$arithmetic>();
-        }
+    (float $run:ident $($arithmetic:tt)*) => {
+        $crate::test_each_arithmetic! { @ $run $($arithmetic)* }
     };
-    (fixed $run:ident #[$cfg:meta] $test:ident $arithmetic:ident) => {};
+    (fixed $run:ident $($arithmetic:tt)*) => {};
 }
 
 /// An arithmetic with what the tests must know of it.

@@ -49,28 +49,11 @@ impl Float for hemidisc::MicromathF32 {
     const EPS: f64 = 4e-3;
 }
 
-/// A test of each arithmetic.
+/// Tests of each arithmetic.
 macro_rules! each_float {
-    ($($test:ident)*) => {$(
-        mod $test {
-            #[test]
-            fn libm_f64() {
-                super::$test::<hemidisc::LibmF64>();
-            }
-            #[test]
-            fn libm_f32() {
-                super::$test::<hemidisc::LibmF32>();
-            }
-            #[test]
-            fn fast_f32() {
-                super::$test::<hemidisc::FastF32>();
-            }
-            #[test]
-            fn micromath_f32() {
-                super::$test::<hemidisc::MicromathF32>();
-            }
-        }
-    )*};
+    ($($test:ident)*) => {
+        $(testkit::test_each_float!($test);)*
+    };
 }
 use each_float;
 

@@ -2,10 +2,10 @@
 //!
 //! The concentric map's angle of a vector (m, n), 0 <= n <= m, is pi/4 t with t = n/m. A t_j =
 //! j / 128 is near t, and the angle is pi/4 t_j + delta, with delta = pi/4 (n - m t_j) / m. The
-//! difference n - m t_j is formed without a division and without rounding. So q = m sin delta =
-//! pi/4 (n - m t_j) (1 - delta^2 / 6) and p = m cos delta = m - m delta^2 / 2 are as exact as the
-//! words allow. Only the small second terms need the quotient, to 16 bits. Taking m for a
-//! coordinate's m + 1/2 costs half an LSB, inward, and saves a bit.
+//! difference n - m t_j is formed without a division and without rounding. Of it are made q =
+//! m sin delta = pi/4 (n - m t_j) (1 - delta^2 / 6) and p = m cos delta = m - m delta^2 / 2. Both
+//! are as exact as the words allow. Only the small second terms need the quotient, to 16 bits.
+//! Taking m for a coordinate's m + 1/2 costs half an LSB, inward, and saves a bit.
 //!
 //! The vector (p, q) is rotated to t_j in three shears, y' = q + p T, x = p - y' S, y = y' + x T,
 //! with S the sine and T the tangent of half the angle: three products instead of four.

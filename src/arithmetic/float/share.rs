@@ -6,12 +6,13 @@
 //! pi / 2. It is Student's distribution function at t = sqrt(n) tan a, with n degrees of freedom.
 //!
 //! **Large n.** With w^2 = -2 ln cos a the integrand is exp(-g w^2 / 2) sqrt(h / sinh h) dw,
-//! g = n - 1/2, h = w^2 / 2. The root is 1 - h^2 / 12 + h^4 / 160 - .., and with z = w sqrt g,
-//! k = 1 / (48 g^2), its second term gives P = erf(z / sqrt 2) + k sqrt(2 / pi) exp(-z^2 / 2)
-//! (z^3 + 3z) / (1 - 3k). The third is below 2e-6 from g = 12 on.
+//! g = n - 1/2, h = w^2 / 2. The root is 1 - h^2 / 12 + h^4 / 160 - ... Let z = w sqrt g and
+//! k = 1 / (48 g^2). Up to the second term P is erf(z / sqrt 2) + k sqrt(2 / pi) exp(-z^2 / 2)
+//! (z^3 + 3z) / (1 - 3k). The third term is below 2e-6 from g = 12 on.
 //!
-//! **Small n.** By parts, P(e) = P(e + 2) - cos^(e + 1) a sin a / ((e + 2) B(e + 2)), where B is the
-//! integral to pi / 2 and B(e) = B(e + 2) (e + 2) / (e + 1). At most seven steps lead to g = 12.
+//! **Small n.** Let B(e) be the integral to pi / 2. Integration by parts gives
+//! P(e) = P(e + 2) - cos^(e + 1) a sin a / ((e + 2) B(e + 2)) and B(e) = B(e + 2) (e + 2) / (e + 1).
+//! At most seven steps lead to g = 12.
 //!
 //! The error is below 1e-6, and the error of the arithmetic's functions. erf is 7.1.26 of
 //! M. Abramowitz and I. Stegun, "Handbook of Mathematical Functions", 1964, within 1.5e-7.
