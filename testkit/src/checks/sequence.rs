@@ -124,6 +124,14 @@ fn access(input: &Input, sequence: impl Sequence) {
     for (offset, point) in (0..100).zip(sequence.iter(input.start)) {
         assert_eq!(point, sequence.at(input.start.wrapping_add(offset)), "{input:x?}");
     }
+    // Sought from the first point, and from one that is entered already.
+    for n in input.indices {
+        let mut points = sequence.iter(input.start);
+        let index = input.start.wrapping_add(n);
+        let found = [points.nth(n as usize), points.nth(1)];
+        let expected = [index, index.wrapping_add(2)].map(|index| Some(sequence.at(index)));
+        assert_eq!(found, expected, "{n:#x} after {input:x?}");
+    }
     if let Some(size) = sequence.size() {
         for index in input.indices {
             assert_eq!(sequence.at(index), sequence.at(index % size), "{input:x?}");
