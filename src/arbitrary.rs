@@ -12,7 +12,9 @@ use crate::error::{Axis, Error};
 use crate::frame::{About, Frame, Unit};
 use crate::map::{Concentric, Cosine, Map, Polar, Power, Uniform, UnitSquare};
 use crate::points::Points;
-use crate::sequence::{Sequence, Shuffled};
+use crate::sampler::Sampler;
+use crate::screen::Screen;
+use crate::sequence::{GridSize, InDomain, Sequence, Shifted, Shuffled};
 use crate::{Coordinates, Domain};
 use arbitrary::{Arbitrary, Unstructured};
 
@@ -39,6 +41,16 @@ made_of! {
     [] Domain: [u32; 4] => |[seed, x, y, key]| Ok(Self::new(seed).pixel(x, y).child(key));
     [] Split: (Domain, [u32; 2]) => |(domain, [key, ways])| Ok(domain.split(key, ways));
     [] Stream: Domain => |domain| Ok(domain.stream());
+    [] GridSize: [u16; 2] => |sides| {
+        let [columns, rows] = sides.map(|side| side.max(1).into());
+        Self::new(columns, rows)
+    };
+    [S: InDomain<Size: Arbitrary<'a>>] Sampler<S>: (Domain, S::Size, u32)
+        => |(domain, size, index)| Ok(Self::of(domain, size, index));
+    [] Screen: (Domain, [u32; 3]) => |(domain, sizes)| {
+        let [width, height, samples] = sizes.map(|size| size.max(1));
+        Self::new(domain, [width, height], samples)
+    };
 }
 
 /// Any parameters as the constructors of sequences accept them.
@@ -82,6 +94,8 @@ for_each_sequence!(sequences);
 made_of! {
     [S: Sequence + Arbitrary<'a>]
     Shuffled<S>: (S, Domain) => |(sequence, domain)| Ok(Self::new(sequence, domain));
+    [S: Sequence + Arbitrary<'a>]
+    Shifted<S>: (S, Domain) => |(sequence, domain)| Ok(Self::new(sequence, domain));
 }
 
 made_of! {

@@ -54,6 +54,20 @@ pub enum Error {
         /// Rows asked for.
         rows: u32,
     },
+    /// A grid for a sampler, of more columns or rows than a `u16` counts.
+    GridSize {
+        /// Columns asked for.
+        columns: u32,
+        /// Rows asked for.
+        rows: u32,
+    },
+    /// A pixel outside its screen.
+    Pixel {
+        /// The pixel asked for, x and y.
+        pixel: [u32; 2],
+        /// Width and height of the screen.
+        screen: [u32; 2],
+    },
     /// A stored set with more than `u32::MAX` points.
     StoredTooLong {
         /// Points in the slice.
@@ -151,6 +165,14 @@ impl fmt::Display for Error {
                 f,
                 "a grid of {columns} x {rows} points; accepted: at most {} points",
                 u32::MAX
+            ),
+            Self::GridSize { columns, rows } => write!(
+                f,
+                "a grid of {columns} x {rows} points for a sampler; accepted: at most 65535 x 65535"
+            ),
+            Self::Pixel { pixel: [x, y], screen: [width, height] } => write!(
+                f,
+                "pixel {x}, {y} of a screen of {width} x {height}; accepted: x below {width} and y below {height}"
             ),
             Self::StoredTooLong { len } => {
                 write!(f, "a stored set of {len} points; accepted: at most {}", u32::MAX)

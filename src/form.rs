@@ -5,7 +5,7 @@
 //! the form. A value whose fields are its form has both derived where it is defined.
 //!
 //! [`Stored`](crate::sequence::Stored) has no form: it borrows its points, and the slice can be
-//! written.
+//! written. [`Pixel`](crate::screen::Pixel) has none: its screen has.
 
 use crate::Domain;
 use crate::arithmetic::{Arithmetic, Real};
@@ -16,9 +16,11 @@ use crate::map::disc::DiscMap;
 use crate::map::hemisphere::{CosineLobe, Hemisphere, PowerLobe, UniformLobe};
 use crate::map::{Concentric, Map, Polar, UnitSquare};
 use crate::points::Points;
+use crate::sampler::Sampler;
+use crate::screen::Screen;
 use crate::sequence::{
-    Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular, Sequence,
-    Shuffled, Sobol, SobolOwen,
+    Correlated, GridSize, Halton, Hammersley, InDomain, Jittered, MultiJittered, NRooks, R2,
+    Random, Regular, Sequence, Shifted, Shuffled, Sobol, SobolOwen,
 };
 
 /// `[generics] Name: Type, where [bounds to read] { field: its type = its getter } => constructor;`
@@ -83,7 +85,7 @@ forms! {
     [] Stream: Stream { domain: Domain = Self::domain } => Ok(domain.stream());
     [] Regular: Regular { columns: u32 = Self::columns, rows: u32 = Self::rows }
         => Self::new(columns, rows);
-    [] Random: Random { seed: u32 = Self::seed } => Ok(Self::new(seed));
+    [] Random: Random { domain: Domain = Self::domain } => Ok(Self::in_domain(domain));
     [] Jittered: Jittered
         { columns: u32 = Self::columns, rows: u32 = Self::rows, seed: u32 = Self::seed }
         => Self::new(columns, rows, seed);
@@ -103,6 +105,17 @@ forms! {
     [S: Sequence] Shuffled: Shuffled<S>
         { sequence: S = |set| *set.sequence(), domain: Domain = Self::domain }
         => Ok(Self::new(sequence, domain));
+    [S: Sequence] Shifted: Shifted<S>
+        { sequence: S = |set| *set.sequence(), domain: Domain = Self::domain }
+        => Ok(Self::new(sequence, domain));
+    [] GridSize: GridSize { columns: u32 = |size| size.columns(), rows: u32 = |size| size.rows() }
+        => Self::new(columns, rows);
+    [S: InDomain] Sampler: Sampler<S>
+        { domain: Domain = Self::domain, size: S::Size = Self::size, index: u32 = Self::index }
+        => Ok(Self::of(domain, size, index));
+    [] Screen: Screen
+        { domain: Domain = Self::domain, size: [u32; 2] = Self::size, samples: u32 = Self::samples }
+        => Self::new(domain, size, samples);
 }
 
 forms! {

@@ -14,6 +14,8 @@ mod lists;
 // In the order of a point's journey.
 mod coordinates;
 pub mod domain;
+pub mod sampler;
+pub mod screen;
 pub mod sequence;
 
 pub mod map;
@@ -64,3 +66,5 @@ pub use map::{
     Concentric, Cosine, Density, Invert, Map, Polar, Power, Uniform, UnitSquare, disc, hemisphere,
 };
 pub use points::Points;
+pub use sampler::Sampler;
+pub use screen::Screen;

@@ -17,7 +17,7 @@ macro_rules! for_each_sequence {
     ($callback:ident $($first:tt)*) => {
         $callback! { $($first)*
             regular Regular "regular" checked new(columns, rows);
-            random Random "random" total new(seed);
+            random Random "random" total in_domain(domain);
             jittered Jittered "jittered" checked new(columns, rows, seed);
             n_rooks NRooks "nrooks" checked new(count, seed);
             multi_jittered MultiJittered "multi-jittered" checked new(columns, rows, seed);

@@ -18,9 +18,14 @@
 //! | [`R2`] | endless | additive shift | none proved: low discrepancy for every N |
 //! | [`Stored`] | the slice's | none | the caller's own points |
 //! | [`Shuffled`] | as inside | hashed | another set's points in another order |
+//! | [`Shifted`] | as inside | hashed | another set's points, shifted on the torus |
+//!
+//! A renderer draws them through a [`Sampler`](crate::Sampler), from the families of [`InDomain`].
 
+mod in_domain;
 #[cfg(feature = "rand_core")]
 mod rng;
+mod shifted;
 mod shuffled;
 mod stored;
 mod walk;
@@ -33,8 +38,10 @@ macro_rules! modules {
 }
 for_each_sequence!(modules);
 
+pub use in_domain::{GridSize, InDomain};
 #[cfg(feature = "rand_core")]
 pub use rng::FromRng;
+pub use shifted::Shifted;
 pub use shuffled::Shuffled;
 pub use stored::Stored;
 

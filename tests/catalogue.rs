@@ -51,7 +51,7 @@ fn every_sequence_is_listed() {
     assert_eq!(names.0, SEQUENCES);
     // What takes points of the caller's, and what sequences share, has no place in a list of what
     // makes points.
-    let others = ["stored", "shuffled", "rng", "walk"];
+    let others = ["stored", "shuffled", "shifted", "rng", "walk", "in_domain"];
     macro_rules! listed {
         ($($file:ident $sequence:ident $name:literal $kind:ident $new:ident $parts:tt;)*) => {
             [$(stringify!($file)),*]

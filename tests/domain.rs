@@ -65,6 +65,112 @@ fn streams_pair_as_if_independent() {
     }
 }
 
+/// The order of the first 64 points of a domain, as what the places differ in from the first: the
+/// scramble of an axis hides a difference that all have in common.
+fn order(domain: Domain) -> Vec<u32> {
+    let shuffled = Shuffled::new(Sobol::new(0), domain);
+    let place = |i| shuffled.at(i)[0].reverse_bits() & 63;
+    (1..64).map(|i| place(i) ^ place(0)).collect()
+}
+
+/// Pairs of domains of which the first 64 points have the same order.
+fn alike(domains: impl Iterator<Item = Domain>) -> usize {
+    let mut orders: Vec<_> = domains.map(order).collect();
+    orders.sort_unstable();
+    orders.chunk_by(|a, b| a == b).map(|alike| alike.len() * (alike.len() - 1) / 2).sum()
+}
+
+/// The shuffle has so many orders of 64 points that 1 of some 80,000 pairs of random keys share
+/// one: of 6.25 million pairs some 76. No family of domains has more than random states have.
+#[test]
+fn few_domains_share_an_order() {
+    let root = Domain::new(7);
+    let random = |seed: u32| {
+        (0..3536)
+            .map(move |i| Domain::from_words([mix(mix(2 * i) ^ seed), mix(mix(2 * i + 1) ^ !seed)]))
+    };
+    let expected = (0..8).map(|seed| alike(random(seed))).sum::<usize>() as f64 / 8.0;
+    assert!((60.0..95.0).contains(&expected), "{expected}");
+    let most = expected + 5.0 * expected.sqrt();
+    let families: [(&str, Box<dyn Fn(u32) -> Domain>); 6] = [
+        ("seeds", Box::new(Domain::new)),
+        ("siblings", Box::new(move |i| root.child(i))),
+        ("pixels in x", Box::new(move |i| root.pixel(i, 5))),
+        ("pixels in y", Box::new(move |i| root.pixel(5, i))),
+        ("bounces", Box::new(move |i| root.child(i >> 2).child(i & 3))),
+        ("generations", Box::new(move |i| (0..=i).fold(root, |domain, _| domain.child(1)))),
+    ];
+    for (what, domain) in families {
+        let found = alike((0..3536).map(domain)) as f64;
+        println!("{what}: {found}, {expected} of random states");
+        assert!(found <= most, "{what}: {found} pairs, {expected} of random states");
+    }
+}
+
+/// The correlation of 16 values with 16 others, in the order of their indices.
+fn correlation(pair: impl Fn(u32) -> [u32; 2]) -> f64 {
+    let centred = |cell: u32| f64::from(cell) / 4_294_967_296.0 - 0.5;
+    let products = (0..16).map(|i| pair(i).map(centred)).map(|[a, b]| a * b);
+    12.0 * products.sum::<f64>() / 16.0
+}
+
+/// Siblings, parents and children, neighbours in x and in y: the correlation of their points, axis
+/// by axis and with the stream, is 0 over 2^16 pairs, and its spread is that of random states.
+#[test]
+fn neighbours_are_not_correlated() {
+    type Neighbours = fn(u32) -> [Domain; 2];
+    const PAIRS: u32 = 1 << 16;
+    let moments = |neighbours: &dyn Fn(u32) -> [Domain; 2]| {
+        let mut sums = [[0.0; 2]; 5];
+        for i in 0..PAIRS {
+            let [a, b] = neighbours(i);
+            let [first, second] = [a, b].map(SobolOwen::in_domain);
+            let streams = [a, b].map(Domain::stream);
+            let found = [
+                correlation(|i| [first.at(i)[0], second.at(i)[0]]),
+                correlation(|i| [first.at(i)[0], second.at(i)[1]]),
+                correlation(|i| [first.at(i)[1], second.at(i)[1]]),
+                correlation(|i| [first.at(i)[0], streams[0].at(i)]),
+                correlation(|i| streams.map(|stream| stream.at(i))),
+            ];
+            for (sums, found) in sums.iter_mut().zip(found) {
+                *sums = [sums[0] + found, sums[1] + found * found];
+            }
+        }
+        sums.map(|sums| sums.map(|sum| sum / f64::from(PAIRS)))
+    };
+    let random = |i: u32| [[mix(i), mix(!i)], [mix(i ^ 0x5555), mix(i ^ 0xaaaa_0000)]];
+    let expected = moments(&|i| random(i).map(Domain::from_words));
+    let families: [(&str, Neighbours); 5] = [
+        ("siblings", |i| {
+            [Domain::new(i >> 8).child(i & 255), Domain::new(i >> 8).child((i & 255) + 1)]
+        }),
+        ("parent and child", |i| [Domain::new(i), Domain::new(i).child(0)]),
+        ("in x", |i| {
+            [Domain::new(7).pixel(i & 255, i >> 8), Domain::new(7).pixel((i & 255) + 1, i >> 8)]
+        }),
+        ("in y", |i| {
+            [Domain::new(7).pixel(i & 255, i >> 8), Domain::new(7).pixel(i & 255, (i >> 8) + 1)]
+        }),
+        ("two bounces", |i| {
+            [Domain::new(7).child(i).child(5), Domain::new(7).child(i).child(5).child(5)]
+        }),
+    ];
+    for (what, neighbours) in families {
+        for (place, ([mean, square], [_, usual])) in
+            moments(&neighbours).into_iter().zip(expected).enumerate()
+        {
+            // The deviation of a mean of 2^16.
+            let deviation = (usual / f64::from(PAIRS)).sqrt();
+            assert!(mean.abs() < 5.0 * deviation, "{what}, {place}: {mean} of {deviation}");
+            assert!(
+                (square / usual - 1.0).abs() < 0.05,
+                "{what}, {place}: {square}, usually {usual}"
+            );
+        }
+    }
+}
+
 fn domains() -> Vec<(&'static str, Vec<Domain>)> {
     let root = Domain::new(0);
     vec![

@@ -11,12 +11,13 @@ use hemidisc::effect::{
 use hemidisc::frame::About;
 use hemidisc::invariant::Violation;
 use hemidisc::sequence::{
-    self, Correlated, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random, Regular,
-    Shuffled, Sobol, SobolOwen,
+    self, Correlated, GridSize, Halton, Hammersley, Jittered, MultiJittered, NRooks, R2, Random,
+    Regular, Shifted, Shuffled, Sobol, SobolOwen,
 };
 use hemidisc::{
     Axis, Concentric, Coordinates, Cosine, Domain, Error, FastF32, Frame, LibmF32, LibmF64, Map,
-    Points, Polar, Power, Q15, Q15Div, Q31, Uniform, Unit, UnitSquare, for_each_sequence, made_by,
+    Points, Polar, Power, Q15, Q15Div, Q31, Sampler, Screen, Uniform, Unit, UnitSquare,
+    for_each_sequence, made_by,
 };
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -84,7 +85,7 @@ fn every_sequence_is_kept() -> Result<(), Error> {
 #[test]
 fn sequences_are_the_arguments_of_their_constructors() {
     for seed in [0, 1, 7, 0x1234_5678, u32::MAX] {
-        written(Random::new(seed), &format!("(seed:{seed})"));
+        kept(Random::new(seed));
         written(Sobol::new(seed), &format!("(seed:{seed})"));
         written(R2::new(seed), &format!("(seed:{seed})"));
         kept(SobolOwen::new(seed));
@@ -101,8 +102,27 @@ fn sequences_are_the_arguments_of_their_constructors() {
     let domain = Domain::new(3).child(4);
     let text = ron::to_string(&domain).unwrap();
     written(SobolOwen::in_domain(domain), &format!("(domain:{text})"));
+    written(Random::in_domain(domain), &format!("(domain:{text})"));
     let shuffled = Shuffled::new(Regular::new(2, 3).unwrap(), domain);
     written(shuffled, &format!("(sequence:(columns:2,rows:3),domain:{text})"));
+    written(Shifted::new(Halton::new(), domain), &format!("(sequence:(),domain:{text})"));
+}
+
+#[test]
+fn samplers_are_a_domain_and_an_index() {
+    let domain = Domain::new(3).child(4);
+    let text = ron::to_string(&domain).unwrap();
+    written(Sampler::new(domain, 5), &format!("(domain:{text},size:(),index:5)"));
+    let size = GridSize::new(4, 9).unwrap();
+    written(size, "(columns:4,rows:9)");
+    let sampler = Sampler::<MultiJittered>::of(domain, size, 7);
+    written(sampler, &format!("(domain:{text},size:(columns:4,rows:9),index:7)"));
+    let screen = Screen::new(domain, [640, 480], 12).unwrap();
+    written(screen, &format!("(domain:{text},size:(640,480),samples:12)"));
+    refused::<GridSize>("(columns:0,rows:9)", reason(GridSize::new(0, 9)));
+    refused::<GridSize>("(columns:70000,rows:9)", reason(GridSize::new(70_000, 9)));
+    let text = format!("(domain:{text},size:(0,480),samples:12)");
+    refused::<Screen>(&text, reason(Screen::new(domain, [0, 480], 12)));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::wide::high;
 use crate::error::Error;
-use core::num::NonZeroU32;
+use core::num::{NonZeroU16, NonZeroU32};
 
 /// An m x n grid that is neither empty nor larger than a `u32` counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -21,7 +21,24 @@ impl Grid {
         if columns.checked_mul(rows).is_none() {
             return Err(Error::SetTooLarge { columns, rows });
         }
-        Ok(Self { columns: m, rows: n, reciprocal: u32::MAX / m.get() })
+        Ok(Self::of(m, n))
+    }
+
+    /// A grid of at most `u32::MAX` points.
+    const fn of(columns: NonZeroU32, rows: NonZeroU32) -> Self {
+        Self { columns, rows, reciprocal: u32::MAX / columns.get() }
+    }
+
+    /// A grid of sides that a `u16` counts, at most (2^16 - 1)^2 points.
+    pub(crate) const fn of_sides([columns, rows]: [NonZeroU16; 2]) -> Self {
+        const fn wide(side: NonZeroU16) -> NonZeroU32 {
+            // `From` is not `const`.
+            match NonZeroU32::new(side.get() as u32) {
+                Some(side) => side,
+                None => NonZeroU32::MIN,
+            }
+        }
+        Self::of(wide(columns), wide(rows))
     }
 
     pub(crate) const fn columns(self) -> u32 {

@@ -3,7 +3,7 @@
 //! - [`mix`]: a bijection of `u32` with full avalanche: two multiplications, three xor-shifts; the
 //!   constants are those of the hash prospector's 2-round search (bias 0.107; C. Wellons and
 //!   contributors, "hash-prospector", 2018-2022).
-//! - [`absorb`]: three Feistel rounds of `mix` that take a key into a 64-bit state.
+//! - [`absorb`]: three Feistel rounds of `mix` that take a key into two words.
 
 /// A bijection of `u32` that sends 0 to 0 and flips each output bit with probability about 1/2.
 #[must_use]
@@ -38,23 +38,6 @@ pub(crate) const fn unmix(mut x: u32) -> u32 {
     x ^ (x >> 16)
 }
 
-/// The state into which [`absorb`] took `key`; of [`words`] the first two are such a state.
-#[cfg(any(feature = "serde", feature = "defmt"))]
-pub(crate) const fn release([mut l, mut r]: [u32; 2], key: u32) -> [u32; 2] {
-    l ^= mix(r.wrapping_add(0x7f4a_7c15));
-    r ^= mix(l.wrapping_add(0x9e37_79b9));
-    l ^= mix(r.wrapping_add(key));
-    [l, r]
-}
-
-/// Three independent words from a state, for a purpose.
-#[must_use]
-#[inline]
-pub const fn words(state: [u32; 2], purpose: u32) -> [u32; 3] {
-    let [a, b] = absorb(state, purpose);
-    [a, b, mix(a ^ mix(b.wrapping_add(0x9e37_79b9)))]
-}
-
 /// The shifts of both axes for a seed: 0 for seed 0, else a hash and a hash of the hash.
 ///
 /// With this rotation no seed but 0 shifts both axes alike: tests/sequence/noise.rs tries all.
@@ -64,9 +47,8 @@ pub(crate) const fn shift(seed: u32) -> [u32; 2] {
     [first, mix(first.rotate_left(13))]
 }
 
-/// Separates the hashes of keys from those of pairs: any two words will do.
+/// The other word of the state that takes a seed's purpose: any will do.
 const KEYS: u32 = 0x6865_6d69;
-const PAIRS: u32 = 0x6469_7363;
 
 /// A 32-bit key of a seed for a purpose: a name of four letters, no other set's, so that sets of
 /// one seed have nothing in common.
@@ -75,34 +57,14 @@ pub(crate) const fn key(seed: u32, purpose: [u8; 4]) -> u32 {
     absorb([seed, KEYS], u32::from_be_bytes(purpose))[0]
 }
 
-/// A counter hash from an index to a pair of independent uniform words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Pairs {
-    index: u32,
-    u: u32,
-    v: u32,
-}
-
-impl Pairs {
-    /// The pairs of a seed for a purpose, [`key`]'s.
-    pub(crate) const fn new(seed: u32, purpose: [u8; 4]) -> Self {
-        let [index, u, v] = words([seed, PAIRS], u32::from_be_bytes(purpose));
-        Self { index, u, v }
-    }
-
-    /// The seed of the pairs of a purpose.
-    #[cfg(any(feature = "serde", feature = "defmt"))]
-    pub(crate) const fn seed(self, purpose: [u8; 4]) -> u32 {
-        release([self.index, self.u], u32::from_be_bytes(purpose))[0]
-    }
-
-    /// Both axes hash the same hashed index, one under a sum and one under a xor, so that neither
-    /// is a reordering of the other.
-    #[inline(always)]
-    pub(crate) const fn at(self, index: u32) -> [u32; 2] {
-        let hashed = mix(index ^ self.index);
-        [mix(hashed.wrapping_add(self.u)), mix(hashed ^ self.v)]
-    }
+/// A pair of independent uniform words of an index, by three keys.
+///
+/// Both axes hash the same hashed index, one under a sum and one under a xor, so that neither is a
+/// reordering of the other.
+#[inline(always)]
+pub(crate) const fn pair([order, u, v]: [u32; 3], index: u32) -> [u32; 2] {
+    let hashed = mix(index ^ order);
+    [mix(hashed.wrapping_add(u)), mix(hashed ^ v)]
 }
 
 /// A counter hash from an index to a pair of independent uniform fractions of 16 bits: to jitter a
@@ -172,10 +134,6 @@ mod tests {
         let words = (0..1000_u32).map(|i| i.wrapping_mul(0x9e37_79b9)).chain([u32::MAX, 1 << 31]);
         for word in words {
             assert_eq!(unmix(mix(word)), word);
-            for state in [[word, 3], [!word, word]] {
-                assert_eq!(release(absorb(state, word ^ 5), word ^ 5), state);
-            }
-            assert_eq!(Pairs::new(word, *b"test").seed(*b"test"), word);
         }
     }
 
@@ -187,12 +145,10 @@ mod tests {
 
     #[test]
     fn pairs_avalanche() {
-        let pairs = Pairs::new(1, *b"test");
-        avalanche(|index| pairs.at(index)[0]);
-        avalanche(|index| pairs.at(index)[1]);
-        avalanche(|seed| Pairs::new(seed, *b"test").at(5)[0]);
-        avalanche(|seed| Pairs::new(seed, *b"test").at(5)[1]);
-        avalanche(|index| pairs.at(index)[0].wrapping_add(pairs.at(index)[1]));
+        let keys = [0x1234_5678, 0x9abc_def0, 0x0fed_cba9];
+        avalanche(|index| pair(keys, index)[0]);
+        avalanche(|index| pair(keys, index)[1]);
+        avalanche(|index| pair(keys, index)[0].wrapping_add(pair(keys, index)[1]));
     }
 
     #[test]
@@ -209,14 +165,5 @@ mod tests {
         avalanche(|seed| shift(seed)[0]);
         avalanche(|seed| shift(seed)[1]);
         avalanche(|seed| shift(seed)[0] ^ shift(seed)[1]);
-    }
-
-    #[test]
-    fn words_avalanche() {
-        for word in 0..3 {
-            avalanche(|a| words([a, 1], 2)[word]);
-            avalanche(|b| words([1, b], 2)[word]);
-            avalanche(|purpose| words([1, 2], purpose)[word]);
-        }
     }
 }

@@ -50,15 +50,20 @@ impl Correlated {
     /// `u32`.
     pub const fn new(columns: u32, rows: u32, seed: u32) -> Result<Self, Error> {
         match Grid::new(columns, rows) {
-            Ok(grid) => Ok(Self {
-                grid,
-                fine: Strata::new(grid.size()),
-                order: key(seed, *b"coro"),
-                columns: key(seed, *b"corc"),
-                rows: key(seed, *b"corw"),
-                jitter: Jitter::new(seed, *b"corr"),
-            }),
+            Ok(grid) => Ok(Self::on(grid, seed)),
             Err(error) => Err(error),
+        }
+    }
+
+    /// The set on a grid.
+    pub(crate) const fn on(grid: Grid, seed: u32) -> Self {
+        Self {
+        grid,
+        fine: Strata::new(grid.size()),
+        order: key(seed, *b"coro"),
+        columns: key(seed, *b"corc"),
+        rows: key(seed, *b"corw"),
+        jitter: Jitter::new(seed, *b"corr"),
         }
     }
 

@@ -37,13 +37,18 @@ impl Jittered {
     /// `u32`.
     pub const fn new(columns: u32, rows: u32, seed: u32) -> Result<Self, Error> {
         match Grid::new(columns, rows) {
-            Ok(grid) => Ok(Self {
-                grid,
-                columns: Strata::new(columns),
-                rows: Strata::new(rows),
-                jitter: Jitter::new(seed, *b"jitt"),
-            }),
+            Ok(grid) => Ok(Self::on(grid, seed)),
             Err(error) => Err(error),
+        }
+    }
+
+    /// The set on a grid.
+    pub(crate) const fn on(grid: Grid, seed: u32) -> Self {
+        Self {
+        grid,
+        columns: Strata::new(grid.columns()),
+        rows: Strata::new(grid.rows()),
+        jitter: Jitter::new(seed, *b"jitt"),
         }
     }
 

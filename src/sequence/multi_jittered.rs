@@ -48,14 +48,19 @@ impl MultiJittered {
     /// `u32`.
     pub const fn new(columns: u32, rows: u32, seed: u32) -> Result<Self, Error> {
         match Grid::new(columns, rows) {
-            Ok(grid) => Ok(Self {
-                grid,
-                fine: Strata::new(grid.size()),
-                in_columns: key(seed, *b"mulc"),
-                in_rows: key(seed, *b"mulr"),
-                jitter: Jitter::new(seed, *b"mult"),
-            }),
+            Ok(grid) => Ok(Self::on(grid, seed)),
             Err(error) => Err(error),
+        }
+    }
+
+    /// The set on a grid.
+    pub(crate) const fn on(grid: Grid, seed: u32) -> Self {
+        Self {
+        grid,
+        fine: Strata::new(grid.size()),
+        in_columns: key(seed, *b"mulc"),
+        in_rows: key(seed, *b"mulr"),
+        jitter: Jitter::new(seed, *b"mult"),
         }
     }
 

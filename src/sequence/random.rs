@@ -1,9 +1,10 @@
 //! Random points by a counter hash: white noise with random access.
 
 use super::Sequence;
-use crate::bits::hash::Pairs;
+use crate::bits::hash::pair;
+use crate::domain::Domain;
 
-/// Independent uniform points: a hash of index and seed.
+/// Independent uniform points: a hash of index and domain.
 ///
 /// Promise: none about strata; unlike a generator it has no state, so any index costs the same
 /// (three hashes of two multiplications each). The hashes are bijections: no coordinate of an axis
@@ -15,19 +16,27 @@ use crate::bits::hash::Pairs;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Random {
-    pairs: Pairs,
+    keys: [u32; 3],
 }
 
 impl Random {
-    /// The stream of `seed`; every seed, 0 too, is hashed.
+    /// The points of `Domain::new(seed)`; every seed, 0 too, is hashed.
     #[must_use]
     pub const fn new(seed: u32) -> Self {
-        Self { pairs: Pairs::new(seed, *b"rand") }
+        Self::in_domain(Domain::new(seed))
+    }
+
+    /// The points of a domain.
+    #[must_use]
+    #[inline]
+    pub const fn in_domain(domain: Domain) -> Self {
+        Self { keys: domain.keys() }
     }
 
     #[cfg(any(feature = "serde", feature = "defmt"))]
-    pub(crate) const fn seed(&self) -> u32 {
-        self.pairs.seed(*b"rand")
+    pub(crate) const fn domain(&self) -> Domain {
+        let [order, u, _] = self.keys;
+        Domain::of_keys([order, u])
     }
 
     /// How many points there are: `None`, for it is endless.
@@ -40,7 +49,7 @@ impl Random {
     #[must_use]
     #[inline]
     pub const fn at(self, index: u32) -> [u32; 2] {
-        self.pairs.at(index)
+        pair(self.keys, index)
     }
 }
 

@@ -6,9 +6,10 @@
 
 use super::Sequence;
 use super::walk::{Walk, walks};
-use crate::bits::hash::shift;
+use crate::bits::hash::{mix, shift};
 #[cfg(any(feature = "serde", feature = "defmt"))]
 use crate::bits::hash::unmix;
+use crate::bits::sobol::higher_dimensions;
 use crate::block::{BLOCK, Block};
 
 /// The Sobol (0, 2)-sequence, with an optional digital (xor) shift.
@@ -49,6 +50,25 @@ impl Sobol {
     pub const fn at(self, index: u32) -> [u32; 2] {
         let [u, v] = textbook(index);
         [u ^ self.shift[0], v ^ self.shift[1]]
+    }
+
+    /// The first four dimensions at an index, as two pairs, the first that of [`at`](Self::at).
+    ///
+    /// Those of S. Joe and F. Kuo, "Constructing Sobol Sequences with Better Two-Dimensional
+    /// Projections", 2008, whose file new-joe-kuo-6 scipy takes, too.
+    ///
+    /// ```
+    /// use hemidisc::sequence::Sobol;
+    /// assert_eq!(Sobol::new(0).joint(2)[1], [0x4000_0000, 0xc000_0000]);
+    /// ```
+    #[must_use]
+    #[inline]
+    pub const fn joint(self, index: u32) -> [[u32; 2]; 2] {
+        let [w, x] = higher_dimensions(index.reverse_bits());
+        let [_, second] = self.shift;
+        let third = mix(second.rotate_left(13));
+        let fourth = mix(third.rotate_left(13));
+        [self.at(index), [w.reverse_bits() ^ third, x.reverse_bits() ^ fourth]]
     }
 }
 
