@@ -1,0 +1,65 @@
+//! Random numbers as the tutorial draws them: points of a square or a cube, until one is inside.
+
+use super::{Request, Source};
+use crate::vector::{Vector, along, dot, unit};
+use rand::rngs::SmallRng;
+use rand::{RngExt, SeedableRng};
+
+#[derive(Debug)]
+pub(crate) struct Rejection(SmallRng);
+
+/// A generator for a row's samples from one on.
+pub(super) fn generator(request: &Request) -> SmallRng {
+    let Request { seed, y, first, .. } = *request;
+    SmallRng::seed_from_u64(u64::from(seed) << 32 | u64::from(first) << 16 | u64::from(y))
+}
+
+impl Rejection {
+    fn inside<const D: usize>(&mut self) -> [f32; D] {
+        loop {
+            let point = core::array::from_fn(|_| 2.0 * self.0.random::<f32>() - 1.0);
+            if point.iter().map(|x: &f32| x * x).sum::<f32>() < 1.0 {
+                return point;
+            }
+        }
+    }
+
+    /// A uniform direction. A point too near the centre would have none.
+    fn direction(&mut self) -> Vector {
+        loop {
+            let point = self.inside();
+            if dot(point, point) > 1e-12 {
+                return unit(point);
+            }
+        }
+    }
+}
+
+impl Source for Rejection {
+    fn new(request: &Request) -> Self {
+        Self(generator(request))
+    }
+
+    fn pixel(&mut self, _: u32) {}
+
+    fn begin(&mut self, _: u32) -> [[f32; 2]; 2] {
+        [self.0.random(), self.inside()]
+    }
+
+    fn bounce(&mut self) {}
+
+    /// The normal and a uniform direction.
+    fn lambert(&mut self, normal: Vector) -> Vector {
+        let sum = along(normal, 1.0, self.direction());
+        // The opposite of the normal, almost.
+        if dot(sum, sum) < 1e-12 { normal } else { unit(sum) }
+    }
+
+    fn ball(&mut self) -> Vector {
+        self.inside()
+    }
+
+    fn chance(&mut self, probability: f32) -> bool {
+        self.0.random::<f32>() < probability
+    }
+}
