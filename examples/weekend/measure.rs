@@ -3,16 +3,17 @@
 //! A row of the picture is rendered from each source in turn, and a time is the shortest of some
 //! repetitions: other load and a change of the clock rate then slow no source more than another.
 
-use crate::path::{Row, View, row};
-use crate::source::{Formulas, Rejection, Request, Sampled};
-use crate::vector::Vector;
+use crate::path::{Sums, Tile, View, tile};
+use crate::source::{Blocks, Formulas, OneByOne, Rejection, Request};
+use crate::picture::Picture;
 use std::time::Instant;
 
 /// The sources, that of the tutorial first and this crate's last.
-pub(crate) const SOURCES: [(&str, Row); 3] = [
-    ("rand, rejection", row::<Rejection>),
-    ("rand, formulas", row::<Formulas>),
-    ("hemidisc", row::<Sampled>),
+pub(crate) const SOURCES: [(&str, Tile); 4] = [
+    ("rand, rejection", tile::<Rejection>),
+    ("rand, formulas", tile::<Formulas>),
+    ("hemidisc, Sampler", tile::<OneByOne>),
+    ("hemidisc, blocks", tile::<Blocks>),
 ];
 
 /// Samples of a pixel.
@@ -39,21 +40,19 @@ pub(crate) fn repetitions(count: u32) -> u32 {
 pub(crate) fn sources(
     view: &View,
     count: u32,
-    reference: &[[f64; 3]],
+    reference: &Picture,
     step: &mut dyn FnMut(),
 ) -> [Measured; SOURCES.len()] {
-    let width = view.size[0] as usize;
     let mut measured = [Measured::default(); SOURCES.len()];
-    let mut times = vec![[f64::INFINITY; SOURCES.len()]; (SEEDS * view.size[1]) as usize];
+    let mut times = vec![[f64::INFINITY; SOURCES.len()]; SEEDS as usize * view.tiles().len()];
     for repetition in 0..repetitions(count) {
-        for (seed, times) in (0..).zip(times.chunks_mut(view.size[1] as usize)) {
-            for ((y, times), reference) in view.rows().zip(times).zip(reference.chunks(width)) {
+        for (seed, times) in (0..).zip(times.chunks_mut(view.tiles().len())) {
+            for ((tile, times), reference) in view.tiles().zip(times).zip(reference) {
                 for turn in 0..SOURCES.len() {
                     let at = (turn + repetition as usize) % SOURCES.len();
-                    let request = Request { seed, size: view.size, samples: count, y, first: 0 };
-                    let mut sums = vec![[0.0; 3]; width];
+                    let request = Request { seed, size: view.size, samples: count, tile, first: 0 };
                     let start = Instant::now();
-                    SOURCES[at].1(view, &request, count, &mut sums);
+                    let sums = SOURCES[at].1(view, &request, count);
                     times[at] = times[at].min(start.elapsed().as_secs_f64());
                     if repetition == 0 {
                         measured[at].error += squares(&sums, count, reference);
@@ -63,7 +62,7 @@ pub(crate) fn sources(
             step();
         }
     }
-    let pixels = f64::from(SEEDS) * reference.len() as f64;
+    let pixels = f64::from(SEEDS) * f64::from(view.size[0] * view.size[1]);
     for (at, measured) in measured.iter_mut().enumerate() {
         let seconds: f64 = times.iter().map(|times| times[at]).sum();
         measured.nanoseconds = 1e9 * seconds / (pixels * f64::from(count));
@@ -73,7 +72,7 @@ pub(crate) fn sources(
 }
 
 /// The sum of the squares of the differences.
-fn squares(sums: &[Vector], count: u32, reference: &[[f64; 3]]) -> f64 {
+fn squares(sums: &Sums, count: u32, reference: &[[f64; 3]; 64]) -> f64 {
     let mean = |sum: f32| f64::from(sum) / f64::from(count);
     let difference = |(sum, exact): (&f32, &f64)| (mean(*sum) - exact).powi(2);
     sums.iter().flatten().zip(reference.iter().flatten()).map(difference).sum()

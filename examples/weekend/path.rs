@@ -17,31 +17,49 @@ pub(crate) struct View {
     pub(crate) size: [u32; 2],
 }
 
-/// Adds samples of a row's pixels to sums: [`row`] of a source.
-pub(crate) type Row = fn(&View, &Request, u32, &mut [Vector]);
+/// Sums of the pixels of a tile, in Morton's order.
+pub(crate) type Sums = [Vector; SIDE * SIDE];
+pub(crate) const SIDE: usize = 8;
+
+/// [`tile`] of a source.
+pub(crate) type Tile = fn(&View, &Request, u32) -> Sums;
 
 impl View {
     pub(crate) fn new(size: [u32; 2]) -> Self {
         Self { scene: Scene::new(), camera: Camera::new(size), size }
     }
 
-    pub(crate) fn rows(&self) -> Range<u32> {
-        0..self.size[1]
+    pub(crate) fn tiles(&self) -> Range<u32> {
+        let [x, y] = self.size.map(|s| s.div_ceil(SIDE as u32));
+        0..x * y
+    }
+
+    pub(crate) fn pixel(&self, tile: u32, place: u32) -> Option<[u32; 2]> {
+        let across = self.size[0].div_ceil(SIDE as u32);
+        let every_other = |bits: u32| bits & 1 | bits >> 1 & 2 | bits >> 2 & 4;
+        let pixel = [
+            tile % across * SIDE as u32 + every_other(place),
+            tile / across * SIDE as u32 + every_other(place >> 1),
+        ];
+        (pixel[0] < self.size[0] && pixel[1] < self.size[1]).then_some(pixel)
     }
 }
 
-/// Adds `count` samples of each pixel of a row to the sums.
-pub(crate) fn row<S: Source>(view: &View, request: &Request, count: u32, sums: &mut [Vector]) {
+/// The sums of `count` samples of each pixel of a tile.
+pub(crate) fn tile<S: Source>(view: &View, request: &Request, count: u32) -> Sums {
     let mut source = S::new(request);
-    for (x, sum) in (0..).zip(sums) {
-        source.pixel(x);
-        for sample in 0..count {
+    let mut sums = [[0.0; 3]; SIDE * SIDE];
+    for (place, sum) in (0..).zip(&mut sums) {
+        let Some([x, y]) = view.pixel(request.tile, place) else { continue };
+        source.pixel(x, y);
+        for sample in request.first..request.first + count {
             let [[dx, dy], lens] = source.begin(sample);
-            let ray = view.camera.ray([x as f32 + dx, request.y as f32 + dy], lens);
+            let ray = view.camera.ray([x as f32 + dx, y as f32 + dy], lens);
             let light = radiance(&view.scene, ray, &mut source);
             sum.iter_mut().zip(light).for_each(|(sum, light)| *sum += light);
         }
     }
+    sums
 }
 
 /// The light that arrives against a ray.

@@ -1,28 +1,28 @@
 //! Pictures of a source, rendered on all cores.
 
-use crate::path::{Row, View};
+use crate::path::{SIDE, Tile, View};
 use crate::source::Request;
-use crate::vector::Vector;
 use rayon::prelude::*;
 
 /// Samples of a pixel that are summed in f32.
 pub(crate) const PASS: u32 = 64;
 
-/// The means of some samples of each pixel, by rows from the top; `step` is called after each pass.
+pub(crate) type Picture = Vec<[[f64; 3]; SIDE * SIDE]>;
+
+/// The means of some samples of each pixel, by tiles; `step` is called after each pass.
 pub(crate) fn render(
     view: &View,
-    row: Row,
+    tile: Tile,
     seed: u32,
     samples: u32,
     step: &mut dyn FnMut(),
-) -> Vec<[f64; 3]> {
-    let width = view.size[0] as usize;
-    let mut means = vec![[0.0; 3]; width * view.rows().len()];
+) -> Picture {
+    let mut means = vec![[[0.0; 3]; SIDE * SIDE]; view.tiles().len()];
     for first in (0..samples).step_by(PASS as usize) {
         let count = PASS.min(samples - first);
-        means.par_chunks_mut(width).zip(view.rows()).for_each(|(means, y)| {
-            let mut sums: Vec<Vector> = vec![[0.0; 3]; width];
-            row(view, &Request { seed, size: view.size, samples, y, first }, count, &mut sums);
+        means.par_iter_mut().zip(view.tiles()).for_each(|(means, at)| {
+            let request = Request { seed, size: view.size, samples, tile: at, first };
+            let sums = tile(view, &request, count);
             for (mean, sum) in means.iter_mut().flatten().zip(sums.iter().flatten()) {
                 *mean += f64::from(*sum) / f64::from(samples);
             }
@@ -31,7 +31,6 @@ pub(crate) fn render(
     }
     means
 }
-
 /// Pixels between two pictures.
 const GAP: usize = 4;
 

@@ -3,15 +3,21 @@
 //! All sources give the same distributions, so the pictures have the same expected value. They
 //! differ in time, and in how evenly the samples of a pixel lie.
 
+mod blocks;
 mod formulas;
 mod rejection;
 mod sampler;
 
+pub(crate) use blocks::Blocks;
 pub(crate) use formulas::Formulas;
 pub(crate) use rejection::Rejection;
-pub(crate) use sampler::Sampled;
+pub(crate) use sampler::OneByOne;
 
 use crate::vector::Vector;
+use hemidisc::{Domain, Screen};
+
+pub(crate) const SURFACE: u32 = 2;
+fn screen(r: &Request) -> Screen { Screen::new(Domain::new(r.seed), r.size, r.samples).unwrap() }
 
 /// What is asked for: some samples of each pixel of a row.
 #[derive(Clone, Copy, Debug)]
@@ -21,8 +27,8 @@ pub(crate) struct Request {
     pub(crate) size: [u32; 2],
     /// Of each pixel, over all requests.
     pub(crate) samples: u32,
-    /// The row.
-    pub(crate) y: u32,
+    /// The tile
+    pub(crate) tile: u32,
     /// The first sample.
     pub(crate) first: u32,
 }
@@ -33,7 +39,7 @@ pub(crate) trait Source {
     fn new(request: &Request) -> Self;
 
     /// The pixel that the next paths are of.
-    fn pixel(&mut self, x: u32);
+    fn pixel(&mut self, x: u32, y: u32);
 
     /// Begins the path of a sample of the pixel: a uniform point of [0, 1)^2, for the film, and one
     /// of the unit disc, for the lens.

@@ -26,21 +26,26 @@ fn basis([x, y, z]: Vector) -> [Vector; 2] {
 }
 
 impl Source for Formulas {
+    #[inline]
     fn new(request: &Request) -> Self {
         Self(generator(request))
     }
 
-    fn pixel(&mut self, _: u32) {}
+    #[inline]
+    fn pixel(&mut self, _: u32, _: u32) {}
 
+    #[inline]
     fn begin(&mut self, _: u32) -> [[f32; 2]; 2] {
         let film = self.0.random();
         let (lens, _) = disc(self.0.random());
         [film, lens]
     }
 
+    #[inline]
     fn bounce(&mut self) {}
 
     /// A point of the disc, raised to the hemisphere.
+    #[inline]
     fn lambert(&mut self, normal: Vector) -> Vector {
         let ([x, y], square) = disc(self.0.random());
         let z = (1.0 - square).sqrt();
@@ -49,6 +54,7 @@ impl Source for Formulas {
     }
 
     /// A uniform direction, by a uniform z, times a cube root.
+    #[inline]
     fn ball(&mut self) -> Vector {
         let z = 2.0 * self.0.random::<f32>() - 1.0;
         let across = (1.0 - z * z).sqrt();
@@ -56,6 +62,7 @@ impl Source for Formulas {
         scaled(self.0.random::<f32>().cbrt(), [across * cos, across * sin, z])
     }
 
+    #[inline]
     fn chance(&mut self, probability: f32) -> bool {
         self.0.random::<f32>() < probability
     }

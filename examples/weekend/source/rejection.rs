@@ -10,8 +10,8 @@ pub(crate) struct Rejection(SmallRng);
 
 /// A generator for a row's samples from one on.
 pub(super) fn generator(request: &Request) -> SmallRng {
-    let Request { seed, y, first, .. } = *request;
-    SmallRng::seed_from_u64(u64::from(seed) << 32 | u64::from(first) << 16 | u64::from(y))
+    let Request { seed, tile, first, .. } = *request;
+    SmallRng::seed_from_u64(u64::from(seed) << 32 | u64::from(first) << 20 | u64::from(tile))
 }
 
 impl Rejection {
@@ -36,29 +36,36 @@ impl Rejection {
 }
 
 impl Source for Rejection {
+    #[inline]
     fn new(request: &Request) -> Self {
         Self(generator(request))
     }
 
-    fn pixel(&mut self, _: u32) {}
+    #[inline]
+    fn pixel(&mut self, _: u32, _: u32) {}
 
+    #[inline]
     fn begin(&mut self, _: u32) -> [[f32; 2]; 2] {
         [self.0.random(), self.inside()]
     }
 
+    #[inline]
     fn bounce(&mut self) {}
 
     /// The normal and a uniform direction.
+    #[inline]
     fn lambert(&mut self, normal: Vector) -> Vector {
         let sum = along(normal, 1.0, self.direction());
         // The opposite of the normal, almost.
         if dot(sum, sum) < 1e-12 { normal } else { unit(sum) }
     }
 
+    #[inline]
     fn ball(&mut self) -> Vector {
         self.inside()
     }
 
+    #[inline]
     fn chance(&mut self, probability: f32) -> bool {
         self.0.random::<f32>() < probability
     }

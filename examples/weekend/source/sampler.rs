@@ -1,59 +1,79 @@
-//! Samples of this crate: a child of the path's sampler for each bounce.
+//! Samples of this crate, drawn where they are needed: a child of the path's sampler for each use.
 
-use super::{Request, Source};
+use super::{Request, SURFACE, Source, screen};
 use crate::vector::Vector;
-use hemidisc::{Concentric, Cosine, Domain, FastF32, Frame, Map, Sampler, UnitSquare};
+use hemidisc::screen::Pixel;
+use hemidisc::{Concentric, Cosine, FastF32, Frame, Sampler, Screen, UnitSquare};
 
-const CAMERA: u32 = 0;
-const BOUNCE: u32 = 1;
+pub(super) const FILM: u32 = 0;
+pub(super) const LENS: u32 = 1;
 
+/// The path of a sample: its sampler is in the domain of the surface where it is.
 #[derive(Debug)]
-pub(crate) struct Sampled {
-    picture: Domain,
-    y: u32,
-    first: u32,
-    pixel: Domain,
-    path: Sampler,
+pub(crate) struct OneByOne {
+    screen: Screen,
+    pub(super) pixel: Pixel,
+    pub(super) path: Sampler,
 }
 
-impl Source for Sampled {
-    fn new(&Request { seed, y, first, .. }: &Request) -> Self {
-        let picture = Domain::new(seed);
-        Self { picture, y, first, pixel: picture, path: Sampler::new(picture, 0) }
+impl OneByOne {
+    pub(super) const fn path(&self) -> Sampler {
+        self.path
+    }
+}
+
+impl Source for OneByOne {
+    fn new(request: &Request) -> Self {
+        let screen = screen(request);
+        let pixel = screen.pixel(0, 0).unwrap();
+        Self { screen, pixel, path: pixel.sampler(0) }
     }
 
-    fn pixel(&mut self, x: u32) {
-        self.pixel = self.picture.pixel(x, self.y);
+    #[inline]
+    fn pixel(&mut self, x: u32, y: u32) {
+        self.pixel = self.screen.pixel(x, y).unwrap();
     }
 
+    #[inline]
     fn begin(&mut self, sample: u32) -> [[f32; 2]; 2] {
-        self.path = Sampler::new(self.pixel, self.first + sample);
-        let [film, lens] = self.path.child(CAMERA).joint();
-        [UnitSquare::<FastF32>::new().sample(film), Concentric::<FastF32>::new().sample(lens)]
+        self.path = self.pixel.sampler(sample);
+        let film = self.path.child(FILM).sample(&UnitSquare::<FastF32>::new());
+        [film, self.path.child(LENS).sample(&Concentric::<FastF32>::new())]
     }
 
+    #[inline]
     fn bounce(&mut self) {
-        self.path = self.path.child(BOUNCE);
+        self.path = self.path.child(SURFACE);
     }
 
+    #[inline]
     fn lambert(&mut self, normal: Vector) -> Vector {
-        match Frame::new(normal) {
-            Ok(frame) => self.path.sample(&Cosine::<FastF32>::new().about(frame)),
-            Err(_) => normal,
-        }
+        turned(self.path.sample(&Cosine::<FastF32>::new()), normal)
     }
 
-    /// The sphere's point above or below one of the disc, by Lambert's equal-area projection, times
-    /// a cube root.
+    #[inline]
     fn ball(&mut self) -> Vector {
-        let [x, y] = self.path.sample(&Concentric::<FastF32>::new());
-        let square = x * x + y * y;
-        let radius = self.path.unit_f32().cbrt();
-        let across = 2.0 * radius * (1.0 - square).max(0.0).sqrt();
-        [across * x, across * y, radius * (1.0 - 2.0 * square)]
+        in_ball(self.path.sample(&Cosine::<FastF32>::new()), self.path.unit_f32())
     }
 
+    #[inline]
     fn chance(&mut self, probability: f32) -> bool {
         self.path.chance(probability)
     }
+}
+
+/// A direction about the z axis, turned to be about a normal.
+#[inline]
+pub(super) fn turned(local: Vector, normal: Vector) -> Vector {
+    // A sphere's normals have a length of 1.
+    Frame::new(normal).map_or(normal, |frame: Frame<f32>| frame.to_world(local))
+}
+
+/// A uniform point of the ball from a cosine-weighted direction, whose angle to the axis is half
+/// that of a uniform direction, and the cube of the distance.
+#[inline]
+pub(super) fn in_ball([x, y, z]: Vector, cube: f32) -> Vector {
+    let radius = cube.cbrt();
+    let across = 2.0 * radius * z;
+    [across * x, across * y, across * z - radius]
 }
