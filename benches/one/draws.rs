@@ -2,41 +2,50 @@
 //! next bounce.
 
 use crate::calls::Calls;
-use crate::inputs::{Bounce, Given};
+use crate::inputs::Given;
 use hemidisc::sequence::SobolOwen;
-use hemidisc::{Concentric, Cosine, Domain, FastF32, Frame, Map, Unit};
+use hemidisc::{Concentric, Cosine, FastF32, Frame, Map};
 
 /// What is drawn at a bounce, as the key of a domain.
 const DIRECTION: u32 = 3;
 
 pub(crate) fn every(calls: &mut Calls<'_>) {
-    calls.call("pair/child", Given::child, |(domain, key, index)| child(domain, key, index));
-    calls.call("pair/ready", Given::ready, |(sequence, index)| sequence.at(index));
+    calls.call("pair/child", child);
+    calls.call("pair/ready", ready);
     // Later: `pair/screen`, a child and its pair of the sampler over the screen.
-    calls.call("lens/concentric", Given::child, |(domain, key, index)| lens(domain, key, index));
-    calls.call("bounce/cosine", Given::bounce, bounce);
-    calls.call("bounce/cosine-checked", Given::checked_bounce, |(at, normal)| checked(at, normal));
+    calls.call("lens/concentric", lens);
+    calls.call("bounce/cosine", bounce);
+    calls.call("bounce/cosine-checked", checked);
 }
 
 /// A child and its pair.
-fn child(domain: Domain, key: u32, index: u32) -> [u32; 2] {
-    SobolOwen::in_domain(domain.child(key)).at(index)
+fn child(given: Given) -> [u32; 2] {
+    SobolOwen::in_domain(given.domain().child(given.key())).at(given.index())
 }
 
-/// A point of the disc for a child.
-fn lens(domain: Domain, key: u32, index: u32) -> [f32; 2] {
-    Concentric::<FastF32>::new().sample(child(domain, key, index))
+/// The pair of a sequence that was made before.
+fn ready(given: Given) -> [u32; 2] {
+    given.sequence().at(given.index())
+}
+
+/// A child, its pair, and a point of the disc.
+fn lens(given: Given) -> [f32; 2] {
+    Concentric::<FastF32>::new().sample(child(given))
 }
 
 /// A whole bounce: two children, a pair, and a direction about the normal that a ray hit.
-fn bounce(at: Bounce) -> Option<[f32; 3]> {
-    let frame = Frame::new(at.normal).ok()?;
-    let uv = child(at.domain.child(at.key), DIRECTION, at.index);
-    Some(Cosine::<FastF32>::new().about(frame).sample(uv))
+fn bounce(given: Given) -> Option<[f32; 3]> {
+    let frame = Frame::new(given.normal()).ok()?;
+    Some(Cosine::<FastF32>::new().about(frame).sample(grandchild(given)))
 }
 
 /// The same about a normal that was checked before.
-fn checked(at: Bounce, normal: Unit<f32>) -> [f32; 3] {
-    let uv = child(at.domain.child(at.key), DIRECTION, at.index);
-    Cosine::<FastF32>::new().about(Frame::from(normal)).sample(uv)
+fn checked(given: Given) -> [f32; 3] {
+    Cosine::<FastF32>::new().about(Frame::from(given.unit_normal())).sample(grandchild(given))
+}
+
+/// The pair of a child's child: of what is drawn, at a bounce.
+fn grandchild(given: Given) -> [u32; 2] {
+    let bounce = given.domain().child(given.key());
+    SobolOwen::in_domain(bounce.child(DIRECTION)).at(given.index())
 }

@@ -2,7 +2,6 @@
 //! given in.
 
 use crate::calls::Calls;
-use crate::inputs::Given;
 use benches::EXPONENT;
 use benches::failure::Failure;
 use hemidisc::arithmetic::{Arithmetic, Root};
@@ -42,7 +41,10 @@ fn lens<A: Arithmetic<Real = f32>>(calls: &mut Calls<'_>) -> Result<(), Failure>
     let lens = ThinLens::new(Concentric::<A>::new(), 0.05, 4.0)?;
     let path = format!("effect/lens/{}", A::NAME);
     // Any two numbers are a place of the image.
-    calls.call(&path, Given::seen, move |([x, y, _], uv)| lens.ray([x, y], uv));
+    calls.call(&path, move |given| {
+        let [x, y, _] = given.normal();
+        lens.ray([x, y], given.pair())
+    });
     Ok(())
 }
 
@@ -50,7 +52,7 @@ fn lens<A: Arithmetic<Real = f32>>(calls: &mut Calls<'_>) -> Result<(), Failure>
 fn light<A: Root + Arithmetic<Real = f32>>(calls: &mut Calls<'_>) -> Result<(), Failure> {
     let light = DiscLight::<A>::new([0.0, 3.0, 0.0], Frame::new([0.0, -1.0, 0.0])?, 0.5)?;
     let path = format!("effect/light/{}", A::NAME);
-    calls.call(&path, Given::seen, move |(receiver, uv)| light.sample(receiver, uv));
+    calls.call(&path, move |given| light.sample(given.normal(), given.pair()));
     Ok(())
 }
 
@@ -58,7 +60,7 @@ fn light<A: Root + Arithmetic<Real = f32>>(calls: &mut Calls<'_>) -> Result<(), 
 fn occlusion<A: Arithmetic<Real = f32>>(calls: &mut Calls<'_>) -> Result<(), Failure> {
     let occlusion = AmbientOcclusion::<A>::new(0.5)?;
     let path = format!("effect/occlusion/{}", A::NAME);
-    calls.call(&path, Given::normal, move |(normal, uv)| occlusion.sample(&normal.into(), uv));
+    calls.call(&path, move |given| occlusion.sample(&given.unit_normal().into(), given.pair()));
     Ok(())
 }
 
@@ -70,6 +72,8 @@ fn glossy<A: Arithmetic<Real = f32, Parameter = f32>>(
 ) -> Result<(), Failure> {
     let gloss = Glossy::<A>::new(EXPONENT, below)?;
     let path = format!("effect/glossy-{name}/{}", A::NAME);
-    calls.call(&path, Given::hit, move |(arriving, normal, uv)| gloss.sample(arriving, normal, uv));
+    calls.call(&path, move |given| {
+        gloss.sample(given.arriving(), given.unit_normal(), given.pair())
+    });
     Ok(())
 }

@@ -2,7 +2,6 @@
 //! their measure.
 
 use crate::calls::Calls;
-use crate::inputs::{Given, Input};
 use hemidisc::map::Point;
 use hemidisc::sequence::SobolOwen;
 use hemidisc::{Concentric, Cosine, Domain, FastF32, Map, Points};
@@ -23,9 +22,8 @@ pub(crate) fn every(calls: &mut Calls<'_>) {
 
 fn of<M: Map + 'static>(calls: &mut Calls<'_>, points: usize, name: &str, map: M) {
     let mut buffer = vec![M::Point::zero(); points];
-    calls.fill(&format!("fill/{points}/{name}/fast-f32"), points, move |input: &Input| {
-        let (domain, key, _) = Given::after(input, 0).child();
-        fill(domain, key, black_box(&map), black_box(&mut buffer));
+    calls.fill(&format!("fill/{points}/{name}/fast-f32"), points, move |given| {
+        fill(given.domain(), given.key(), black_box(&map), black_box(&mut buffer));
     });
 }
 

@@ -1,7 +1,6 @@
 //! The peers that take coordinates: the textbooks' formulas on std's f32 functions.
 
 use crate::calls::Calls;
-use crate::inputs::Given;
 use crate::words::Word;
 use benches::EXPONENT;
 use benches::functions::Std;
@@ -33,7 +32,7 @@ fn formula<P: Word>(
     name: &str,
     formula: impl Fn([f32; 2]) -> P + Copy + 'static,
 ) {
-    calls.call(&format!("peer/{name}"), Given::pair, move |uv: [u32; 2]| formula(uv.map(unit)));
+    calls.call(&format!("peer/{name}"), move |given| formula(given.pair().map(unit)));
 }
 
 /// The power lobe with its density, and the glossy reflection that is made of it.
@@ -42,10 +41,9 @@ fn with_density(
     name: &str,
     lobe: impl Fn([f32; 2]) -> ([f32; 3], f32) + Copy + 'static,
 ) {
-    calls.call(&format!("peer/density/power/{name}"), Given::pair, move |uv: [u32; 2]| {
-        lobe(uv.map(unit))
-    });
-    calls.call(&format!("peer/glossy/{name}"), Given::hit, move |(arriving, normal, uv)| {
-        suffern_glossy(arriving.get(), normal.get(), lobe(uv.map(unit)))
+    calls.call(&format!("peer/density/power/{name}"), move |given| lobe(given.pair().map(unit)));
+    calls.call(&format!("peer/glossy/{name}"), move |given| {
+        let sample = lobe(given.pair().map(unit));
+        suffern_glossy(given.arriving().get(), given.unit_normal().get(), sample)
     });
 }

@@ -9,13 +9,13 @@ use rand_xoshiro::rand_core::Rng;
 
 /// Calls between two readings of the clock. What they take stays in the first cache.
 pub(crate) const WINDOW: usize = 512;
-/// Each round has other values than the one before. The branch predictor would learn those of one
-/// window, and would then predict branches that it cannot predict in a renderer.
+/// Each round has other inputs than the one before. The branch predictor learns those of one window,
+/// and would then predict branches that it cannot predict in a renderer.
 const WINDOWS: usize = 16;
 /// Samples of a pixel; `sobol_burley` has no more.
 const SAMPLES: u32 = 1 << 16;
 
-/// What is there for one call.
+/// What there is for one call.
 #[derive(Clone, Copy)]
 pub(crate) struct Input {
     pair: [u32; 2],
@@ -28,89 +28,73 @@ pub(crate) struct Input {
 
 /// An input that waits for the result of the call before.
 ///
-/// `last` is 0, and the compiler does not know that. So every word that is taken waits, and none of
-/// them changes.
+/// The word of that result is masked to 0, which neither the compiler nor the processor knows ahead.
+/// So every word that is taken waits, and none of them changes. Unit vectors that were checked
+/// before do not wait.
 #[derive(Clone, Copy)]
 pub(crate) struct Given {
     input: Input,
     last: u32,
 }
 
-/// Where a path goes on: the domain of its last bounce, the key of the next one, the sample's index
-/// and the normal.
-///
-/// Generators take the same, and leave most of it, so that no call is given less to read than
-/// another.
-#[derive(Clone, Copy)]
-pub(crate) struct Bounce {
-    pub(crate) domain: Domain,
-    pub(crate) key: u32,
-    pub(crate) index: u32,
-    pub(crate) normal: [f32; 3],
-    /// 0, of which a draw that takes nothing else is made to wait.
-    pub(crate) last: u32,
-}
-
 impl Given {
+    #[inline(always)]
     pub(crate) fn after(input: &Input, last: u32) -> Self {
         Self { input: *input, last }
     }
 
     /// Coordinates.
+    #[inline(always)]
     pub(crate) fn pair(self) -> [u32; 2] {
-        self.input.pair.map(|word| word ^ self.last)
+        self.input.pair.map(|word| self.waiting(word))
     }
 
     /// The index of a sample.
+    #[inline(always)]
     pub(crate) fn index(self) -> u32 {
-        self.input.index ^ self.last
+        self.waiting(self.input.index)
     }
 
-    /// A key, and the index of a sample.
-    pub(crate) fn key(self) -> (u32, u32) {
-        (self.input.key ^ self.last, self.index())
+    /// The key of a child, or a seed.
+    #[inline(always)]
+    pub(crate) fn key(self) -> u32 {
+        self.waiting(self.input.key)
     }
 
-    /// A domain, the key of a child and the index of a sample.
-    pub(crate) fn child(self) -> (Domain, u32, u32) {
-        let (key, index) = self.key();
-        (Domain::from_words(self.pair()), key, index)
+    /// A domain: any two words are one.
+    #[inline(always)]
+    pub(crate) fn domain(self) -> Domain {
+        Domain::from_words(self.pair())
     }
 
-    /// The sequence of a domain, ready, and the index of a sample.
-    pub(crate) fn ready(self) -> (SobolOwen, u32) {
-        (self.input.sequence, self.index())
+    /// The sequence of a domain, made before.
+    #[inline(always)]
+    pub(crate) fn sequence(self) -> SobolOwen {
+        self.input.sequence
     }
 
-    /// Where a path goes on.
-    pub(crate) fn bounce(self) -> Bounce {
-        let (domain, key, index) = self.child();
-        Bounce { domain, key, index, normal: self.position(), last: self.last }
+    /// A normal as a ray finds it, or a point of the unit sphere.
+    #[inline(always)]
+    pub(crate) fn normal(self) -> [f32; 3] {
+        self.input.normal.get().map(|x| f32::from_bits(self.waiting(x.to_bits())))
     }
 
-    /// Where a path goes on, about a normal that was checked before.
-    pub(crate) fn checked_bounce(self) -> (Bounce, Unit<f32>) {
-        (self.bounce(), self.input.normal)
+    /// The same, checked before.
+    #[inline(always)]
+    pub(crate) fn unit_normal(self) -> Unit<f32> {
+        self.input.normal
     }
 
-    /// A point of the unit sphere.
-    pub(crate) fn position(self) -> [f32; 3] {
-        self.input.normal.get().map(|x| f32::from_bits(x.to_bits() ^ self.last))
+    /// The direction in which light arrives, on either side of the surface; checked before.
+    #[inline(always)]
+    pub(crate) fn arriving(self) -> Unit<f32> {
+        self.input.arriving
     }
 
-    /// A position, and coordinates.
-    pub(crate) fn seen(self) -> ([f32; 3], [u32; 2]) {
-        (self.position(), self.pair())
-    }
-
-    /// A normal, and coordinates.
-    pub(crate) fn normal(self) -> (Unit<f32>, [u32; 2]) {
-        (self.input.normal, self.pair())
-    }
-
-    /// The direction of arrival, a normal, and coordinates.
-    pub(crate) fn hit(self) -> (Unit<f32>, Unit<f32>, [u32; 2]) {
-        (self.input.arriving, self.input.normal, self.pair())
+    /// A word that waits: for what takes none of the above, such as a generator.
+    #[inline(always)]
+    pub(crate) fn waiting(self, word: u32) -> u32 {
+        word ^ self.last
     }
 }
 

@@ -1,15 +1,17 @@
 //! What one call takes, as a renderer makes it: one at a time, with other work between.
 //!
 //! ```text
-//! cargo bench --bench one                       the tables, in a minute or two
-//! cargo bench --bench one -- --ratios           the same
-//! cargo bench --bench one -- --ratios --merge   the same, the shortest of this run and those before
+//! cargo bench --bench one -- --ratios           the tables, in a minute or two
+//! cargo bench --bench one -- --ratios --merge   the same, the shortest of this run and earlier ones
 //! cargo bench --bench one -- --test             everything once, to see that it works
 //! ```
 //!
-//! A call goes through a function that is not inlined, so nothing of it is shared with the next one.
-//! What it takes is read from memory. Each is timed twice. Throughput: calls do not depend on each
-//! other, so they overlap in the processor. Latency: each takes what the last one gave.
+//! A call is a function that is not inlined, so nothing of it is shared with the next one. It reads
+//! what it takes from memory. Each is timed in three ways:
+//!
+//! - throughput: calls do not depend on each other, so they overlap in the processor;
+//! - latency: each waits for what the last one gave;
+//! - repeated: as throughput, but with inputs that the branch predictor has learnt.
 //!
 //! The tables are Markdown on standard output: ratios of minimum times, in rounds that interleave
 //! all calls in one process. A build with `RUSTFLAGS="-C target-cpu=native"` has its figures beside
@@ -37,14 +39,13 @@ mod words;
 
 use benches::arguments::Arguments;
 use benches::failure::Failure;
-use benches::rounds::shortest;
 use calls::Calls;
 use inputs::Inputs;
 use report::Report;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-/// A round takes some 30 ms.
+/// They take a minute or two, with the fewer rounds of repeated inputs.
 const ROUNDS: usize = 2500;
 
 fn main() -> ExitCode {
@@ -59,7 +60,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut calls = Calls::new(&inputs);
     every(&mut calls)?;
     let (name, rounds) = if arguments.test { ("test.json", 1) } else { ("report.json", ROUNDS) };
-    let measured = shortest(calls.contenders(), rounds);
+    let measured = calls.measure(rounds);
     let mut report = Report::read(name)?;
     report.take(&measured, arguments.merge)?;
     report.write(name)?;

@@ -2,7 +2,6 @@
 //! too.
 
 use crate::calls::Calls;
-use crate::inputs::Given;
 use crate::words::Word;
 use benches::EXPONENT;
 use benches::failure::Failure;
@@ -39,7 +38,7 @@ fn sample<A: Arithmetic, M: Map<Point: Word> + 'static>(
     map: M,
 ) {
     let path = format!("map/{name}/{disc}/{}", A::NAME);
-    calls.call(&path, Given::pair, move |uv| map.sample(uv));
+    calls.call(&path, move |given| map.sample(given.pair()));
 }
 
 struct Maps<'c, 'a> {
@@ -60,7 +59,7 @@ impl<A: Arithmetic<Real: Word>> MapVisitor<A> for Maps<'_, '_> {
         sample::<A, _>(self.calls, name, disc, map);
         if POWER_LOBES.contains(&name) {
             let path = format!("density/{name}/{disc}/{}", A::NAME);
-            self.calls.call(&path, Given::pair, move |uv| map.sample_with_density(uv));
+            self.calls.call(&path, move |given| map.sample_with_density(given.pair()));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What was measured, in `target/one/report.json` (of a test in `test.json`): a list of comparisons.
+//! What was measured, in `target/one/report.json` (of a test in `test.json`): comparisons, a list.
 //!
 //! ```json
 //! [
@@ -14,6 +14,7 @@
 //! ]
 //! ```
 //!
+//! `what` ends with how it was timed: `throughput`, `latency` or `repeated`, as `calls` has them.
 //! `build` is `baseline` or `native`. `nanoseconds` is the time of a call, or of a point of a fill:
 //! the minimum over all rounds. `ratio` is how many times as fast it is as the other: above 1 it is
 //! faster. That of a small fill is against a long one, so it is at most 1, and 0.4 means that a

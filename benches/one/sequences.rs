@@ -1,7 +1,6 @@
 //! Every sequence: the coordinates of one index.
 
 use crate::calls::Calls;
-use crate::inputs::Given;
 use benches::failure::Failure;
 use benches::random::SEED;
 use hemidisc::catalogue::{self, SequenceVisitor};
@@ -20,6 +19,6 @@ struct Sequences<'c, 'a> {
 
 impl SequenceVisitor for Sequences<'_, '_> {
     fn visit<S: Sequence + 'static>(&mut self, name: &'static str, sequence: S) {
-        self.calls.call(&format!("sequence/{name}"), Given::index, move |index| sequence.at(index));
+        self.calls.call(&format!("sequence/{name}"), move |given| sequence.at(given.index()));
     }
 }

@@ -1,8 +1,8 @@
 //! The report as Markdown: what has a bar, then everything by families. Figures are those of all
 //! builds that were measured, side by side.
 
-use crate::bars::BARS;
-use crate::calls::{LATENCY, THROUGHPUT};
+use crate::bars::{BARS, Bar};
+use crate::calls::{LATENCY, REPEATED, THROUGHPUT};
 use crate::report::{Report, Row};
 use benches::builds::BUILDS;
 use benches::table::{joined, table, three_digits, yes_or_no};
@@ -25,71 +25,71 @@ pub(crate) fn whole(report: &Report) -> String {
 
 /// Throughput, and what it must reach.
 fn bars(report: &Report) -> String {
-    let mut table =
-        table(2, ["call", "against", "ns", "against, ns", "times as fast", "at least", "met"]);
-    for [path, peer] in BARS.iter().map(|bar| bar.names()) {
-        let cell = |of: fn(&Row) -> Option<String>| {
-            joined(builds(report).filter_map(|build| of(report.find(build, &path, &peer)?)))
-        };
+    let headers = ["ns", "against, ns", "times as fast", "at least", "met", REPEATED, LATENCY];
+    let mut table = table(2, ["call", "against"].into_iter().chain(headers));
+    for Bar { path, peer, .. } in BARS {
+        let pair = Pair { report, path, peer };
         table.add_row([
-            without_end(&path).to_owned(),
-            without_end(&peer).to_owned(),
-            cell(|row| Some(three_digits(row.nanoseconds))),
-            cell(|row| Some(three_digits(row.against_nanoseconds))),
-            cell(|row| Some(three_digits(row.ratio))),
-            cell(|row| row.at_least.map(three_digits)),
-            cell(|row| row.met().map(yes_or_no)),
+            (*path).to_owned(),
+            (*peer).to_owned(),
+            pair.figure(THROUGHPUT, |row| row.nanoseconds),
+            pair.figure(THROUGHPUT, |row| row.against_nanoseconds),
+            pair.figure(THROUGHPUT, |row| row.ratio),
+            pair.cell(THROUGHPUT, |row| row.at_least.map(three_digits)),
+            pair.cell(THROUGHPUT, |row| row.met().map(yes_or_no)),
+            pair.figure(REPEATED, |row| row.ratio),
+            pair.figure(LATENCY, |row| row.ratio),
         ]);
     }
     format!("{table}\n")
 }
 
-/// Every comparison of a family, by throughput and by latency.
+/// Every comparison of a family, timed in every way.
 fn of_family(report: &Report, family: &str) -> String {
-    let mut table = table(
-        2,
-        [
-            family,
-            "against",
-            "ns",
-            "against, ns",
-            "times as fast",
-            "latency, ns",
-            "against, ns",
-            "times as fast",
-        ],
-    );
+    let kinds = [THROUGHPUT, REPEATED, LATENCY];
+    let headers = kinds.map(|kind| [format!("{kind}, ns"), "against, ns".into(), "ratio".into()]);
+    let headers: Vec<_> = headers.iter().flatten().map(String::as_str).collect();
+    let mut table = table(2, [family, "against"].into_iter().chain(headers));
     let first = builds(report).next();
-    let mut rows = report.rows.iter().filter(|row| Some(row.build.as_str()) == first);
-    let of =
-        |row: &&Row| row.what.starts_with(&format!("{family}/")) && row.what.ends_with(THROUGHPUT);
-    for row in rows.by_ref().filter(of) {
-        let (call, peer) = (without_end(&row.what), without_end(&row.against));
-        let figures = [THROUGHPUT, LATENCY].map(|kind| {
-            let ends = [call, peer].map(|path| format!("{path}/{kind}"));
-            let cell = |of: fn(&Row) -> f64| {
-                let [what, against] = &ends;
-                let found = builds(report).filter_map(|build| report.find(build, what, against));
-                joined(found.map(|row| three_digits(of(row))))
-            };
-            [
-                cell(|row| row.nanoseconds),
-                cell(|row| row.against_nanoseconds),
-                cell(|row| row.ratio),
-            ]
-        });
-        let names = [call, peer].map(|path| path.trim_start_matches("peer/").to_owned());
-        table.add_row(names.into_iter().chain(figures.into_iter().flatten()));
+    for row in report.rows.iter().filter(|row| Some(row.build.as_str()) == first) {
+        let ends = [&row.what, &row.against].map(|path| path.rsplit_once('/'));
+        let [Some((path, THROUGHPUT)), Some((peer, _))] = ends else { continue };
+        if path.split('/').next() == Some(family) {
+            let pair = Pair { report, path, peer };
+            let figures = kinds.map(|kind| {
+                [
+                    pair.figure(kind, |row| row.nanoseconds),
+                    pair.figure(kind, |row| row.against_nanoseconds),
+                    pair.figure(kind, |row| row.ratio),
+                ]
+            });
+            let names = [path, peer].map(|name| name.trim_start_matches("peer/").to_owned());
+            table.add_row(names.into_iter().chain(figures.into_iter().flatten()));
+        }
     }
     format!("{table}\n")
+}
+
+/// A call and what it is compared with, in every build.
+struct Pair<'a> {
+    report: &'a Report,
+    path: &'a str,
+    peer: &'a str,
+}
+
+impl Pair<'_> {
+    fn cell(&self, kind: &str, of: impl Fn(&Row) -> Option<String>) -> String {
+        let [what, against] = [self.path, self.peer].map(|path| format!("{path}/{kind}"));
+        let row = |build| self.report.find(build, &what, &against);
+        joined(builds(self.report).filter_map(|build| of(row(build)?)))
+    }
+
+    fn figure(&self, kind: &str, of: impl Fn(&Row) -> f64) -> String {
+        self.cell(kind, |row| Some(three_digits(of(row))))
+    }
 }
 
 /// The builds that have rows, in their order.
 fn builds(report: &Report) -> impl Iterator<Item = &'static str> {
     BUILDS.into_iter().filter(|build| report.rows.iter().any(|row| row.build == *build))
-}
-
-/// A path without the measurement's name.
-fn without_end(path: &str) -> &str {
-    path.rsplit_once('/').map_or(path, |(call, _)| call)
 }
