@@ -6,9 +6,9 @@
 
 use super::Sequence;
 use super::walk::{Walk, walks};
-use crate::bits::hash::{mix, shift};
 #[cfg(any(feature = "serde", feature = "defmt"))]
 use crate::bits::hash::unmix;
+use crate::bits::hash::{mix, shift};
 use crate::bits::sobol::higher_dimensions;
 use crate::block::{BLOCK, Block};
 

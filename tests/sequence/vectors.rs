@@ -52,7 +52,8 @@ fn four_dimensions_are_those_of_scipy() {
 fn four_dimensions_are_made_of_the_same_parts() {
     for index in (0..2000).chain((0..2000).map(|i| mix(i) >> 16)) {
         let [_, second] = Sobol::new(0).joint(index);
-        let expected = [2, 3].map(|dimension| sobol_rev(index, dimension).reverse_bits());
+        let expected =
+            [2, 3].map(|dimension| sobol_rev(index.reverse_bits(), dimension).reverse_bits());
         assert_eq!(second, expected, "point {index}");
         for seed in 0..5 {
             let [order, u, _] = keys(seed);
