@@ -87,6 +87,12 @@ pub trait Density: Map {
     fn density(&self, point: Self::Point) -> Component<Self>;
 
     /// The point of a pair of coordinates and its density: what a weight f / p needs.
+    ///
+    /// The point is that of [`sample`](Map::sample), bit for bit. The density is that of the
+    /// coordinates, which a map may know better than the rounded point tells; it is
+    /// [`density`](Self::density) of the point within the rounding of both, and the two may differ
+    /// in their last digits. Accuracy is promised of each: of `density`, at a sampled point, and of
+    /// this one.
     #[must_use]
     #[inline]
     fn sample_with_density(&self, uv: [u32; 2]) -> (Self::Point, Component<Self>) {
@@ -105,11 +111,25 @@ pub trait Invert: Density {
     fn invert(&self, point: Self::Point) -> [u32; 2];
 }
 
-/// `rand`'s trait: a sample of two uniform words of a generator, u first.
-#[cfg(feature = "rand")]
-macro_rules! distribution {
-    ([$($generics:tt)*] $map:ty, $point:ty $(, where $($bounds:tt)*)?) => {
-        impl<$($generics)*> rand::distr::Distribution<$point> for $map $(where $($bounds)*)? {
+/// `sample` as a method of the type's own, and `rand`'s trait.
+///
+/// The two traits have a method of one name: where both are in scope, a call of `sample` on a type
+/// that implements both would be ambiguous, and a feature that some dependency turns on would break
+/// the build. A type's own method comes before a trait's.
+macro_rules! sampled {
+    ([$($generics:tt)*] $map:ty, $point:ty) => {
+        impl<$($generics)*> $map {
+            /// The point of a pair of coordinates, u first; every bit pattern is valid. It is
+            /// [`Map::sample`](crate::Map::sample), without the trait in scope.
+            #[must_use]
+            #[inline(always)]
+            pub fn sample(&self, uv: [u32; 2]) -> $point {
+                $crate::map::Map::sample(self, uv)
+            }
+        }
+
+        #[cfg(feature = "rand")]
+        impl<$($generics)*> rand::distr::Distribution<$point> for $map {
             /// Draws two words, u first.
             #[inline]
             fn sample<G: rand::Rng + ?Sized>(&self, rng: &mut G) -> $point {
@@ -119,8 +139,7 @@ macro_rules! distribution {
         }
     };
 }
-#[cfg(feature = "rand")]
-pub(crate) use distribution;
+pub(crate) use sampled;
 
 mod sealed {
     pub trait Sealed {}

@@ -201,8 +201,7 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Default for Polygon<A, N> {
     }
 }
 
-#[cfg(feature = "rand")]
-crate::map::distribution!(
+crate::map::sampled!(
     [A: Arithmetic<Real: Real>, const N: usize]
     Polygon<A, N>, [A::Real; 2]
 );

@@ -156,8 +156,7 @@ macro_rules! disc_map {
                 }
             }
 
-            #[cfg(feature = "rand")]
-    $crate::map::distribution!([A: Arithmetic] $map<A>, [A::Real; 2]);
+    $crate::map::sampled!([A: Arithmetic] $map<A>, [A::Real; 2]);
         };
     };
 }

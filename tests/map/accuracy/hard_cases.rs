@@ -49,9 +49,12 @@ impl<A: Tested> EachMap<A> for Check<'_> {
                 // Far above the exponents of the contract theta and density are still as accurate.
                 assert!(errors.theta <= 2.0 * contract.theta, "{label}: {errors:?}");
                 assert!(errors.density_slope <= contract.density[1], "{label}: {errors:?}");
+                assert!(errors.sampled_slope <= contract.sampled[1], "{label}: {errors:?}");
             }
-            let density = map.density(map.sample(case.uv)).exact();
-            assert!(density > 0.0 && density.is_finite(), "{label}: density {density}");
+            let (point, with_sample) = map.sample_with_density(case.uv);
+            for density in [map.density(point), with_sample].map(Exact::exact) {
+                assert!(density > 0.0 && density.is_finite(), "{label}: density {density}");
+            }
             if A::NAME == "libm-f64" && promised {
                 invariant::inverted(&map, case.uv).unwrap_or_else(|v| panic!("{label}: {v}"));
             }
