@@ -32,7 +32,7 @@ use crate::error::Error;
 /// metal, [`with_tangent`](Self::with_tangent) takes the first axis from the surface.
 ///
 /// ```
-/// use hemidisc::{Cosine, Frame, LibmF32, Map};
+/// use hemidisc::{Cosine, Frame, LibmF32};
 /// // The normal of a hit, which rounding has left a little off unit length.
 /// let normal = [0.0, 1.000_001, 0.0];
 /// let lobe = Cosine::<LibmF32>::new().about(Frame::from_normal(normal));

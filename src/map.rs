@@ -10,6 +10,33 @@
 //! | [`Uniform`] | z = 1 - r^2 of a disc map's point | 1 / (2 pi) |
 //! | [`Cosine`] | z = sqrt(1 - r^2) | z / pi |
 //! | [`Power`] | z = (1 - r^2)^(1 / (e + 1)) | (e + 1) z^e / (2 pi) |
+//!
+//! Every map here has `sample` as a method of its own: [`Map`] is for functions that are generic
+//! over maps. `rand`'s `Distribution` has a method of the same name. Where both are in scope,
+//! `map.sample([u, v])` is the map's, and `rng.sample(map)` draws u and v from a generator, with the
+//! feature `rand` and `rand` 0.10. `map.sample([rng.random(), rng.random()])` needs no feature and
+//! takes a generator of any version.
+#![cfg_attr(
+    feature = "rand",
+    doc = r#"
+```
+use hemidisc::{Concentric, FastF32, Map};
+use rand::{prelude::*, rngs::SmallRng};
+
+/// A function that is generic over maps means the map's, too.
+fn middle<M: Map>(map: M) -> M::Point {
+    map.sample([1 << 31, 1 << 31])
+}
+
+let disc = Concentric::<FastF32>::new();
+let mut rng = SmallRng::seed_from_u64(7);
+let (fixed, drawn) = (disc.sample([1 << 31, 1 << 31]), rng.sample(disc));
+assert!(fixed == middle(disc) && fixed != drawn);
+let point = disc.sample([rng.random(), rng.random()]);
+assert!(point[0] * point[0] + point[1] * point[1] <= 1.0);
+```
+"#
+)]
 
 pub mod disc;
 pub mod hemisphere;

@@ -47,7 +47,7 @@ use lobes::FastExponent;
 /// docs/accuracy.md has the bounds.
 ///
 /// ```
-/// use hemidisc::{Concentric, FastF32, Map};
+/// use hemidisc::{Concentric, FastF32};
 /// // At compile time as well.
 /// const POINT: [f32; 2] = FastF32::concentric([u32::MAX, 1 << 31]);
 /// assert_eq!(Concentric::<FastF32>::new().sample([u32::MAX, 1 << 31]), POINT);

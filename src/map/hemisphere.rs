@@ -82,7 +82,7 @@ pub type Cosine<A, D = Concentric<A>> = Hemisphere<CosineLobe<A>, D>;
 /// rounding counts sqrt(e) times: with e = 50 up to 83 eps. In fixed point the two are one.
 ///
 /// ```
-/// use hemidisc::{FastF32, LibmF32, Map, Polar, Power};
+/// use hemidisc::{FastF32, LibmF32, Polar, Power};
 /// let lobe = Power::<LibmF32>::new(50.0)?;
 /// let [x, y, z] = lobe.sample([1 << 31, 1 << 30]);
 /// assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6);

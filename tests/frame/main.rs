@@ -6,9 +6,7 @@ mod normals;
 
 use hemidisc::arithmetic::Real;
 use hemidisc::sequence::{Random, SobolOwen};
-use hemidisc::{
-    Cosine, Density, Error, Frame, LibmF32, LibmF64, Map, Points, Power, Unit, UnitSquare,
-};
+use hemidisc::{Cosine, Density, Error, Frame, LibmF32, LibmF64, Points, Power, Unit, UnitSquare};
 use proptest::prelude::*;
 use testkit::orthonormal::{LARGEST, deviation, dot};
 
