@@ -140,6 +140,8 @@ pub fn weights_are_of_one_point<A: Float>() {
     let near = [A::Real::ZERO, A::Real::ZERO, -A::real(A::Real::MIN_POSITIVE.into().sqrt() * 2.0)];
     let sample = large.sample(near, [1 << 31, 1 << 31]);
     assert!(wide([sample.weight, sample.radiance_weight]).into_iter().all(f64::is_finite));
+    let nearer = [A::Real::ZERO, A::Real::ZERO, near[2] * A::Real::HALF * A::Real::HALF];
+    assert!(large.hit(nearer, A::vector([0.0, 0.0, 1.0])).is_none(), "nearer than numbers tell");
     let hit = large.hit(near, A::vector([0.0, 0.0, 1.0])).unwrap();
     assert!(wide([hit.weight, hit.radiance_weight, hit.density]).into_iter().all(f64::is_finite));
     assert_eq!(hit.radiance_weight, A::Real::MAX);
