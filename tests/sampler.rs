@@ -5,7 +5,7 @@ use hemidisc::sequence::{
     Correlated, GridSize, Halton, InDomain, Jittered, MultiJittered, R2, Random, Sequence, Shifted,
     Shuffled, Sobol, SobolOwen,
 };
-use hemidisc::{Domain, Error, FastF32, Map, Sampler, UnitSquare, invariant};
+use hemidisc::{Domain, Error, FastF32, Sampler, UnitSquare, invariant};
 use std::collections::HashSet;
 use testkit::chi_square::assert_random;
 

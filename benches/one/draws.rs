@@ -4,7 +4,7 @@
 use crate::calls::Calls;
 use crate::inputs::Given;
 use hemidisc::sequence::SobolOwen;
-use hemidisc::{Concentric, Cosine, FastF32, Frame, Map};
+use hemidisc::{Concentric, Cosine, FastF32, Frame};
 
 /// What is drawn at a bounce, as the key of a domain.
 const DIRECTION: u32 = 3;
