@@ -22,8 +22,7 @@ pub(crate) const BARS: &[Bar] = &[
     Bar { path: "map/power/concentric/fast-f32",   peer: "peer/power/polar/suffern",              at_least: [1.0, 1.0] },
     Bar { path: "map/power/polar/fast-f32",        peer: "peer/power/polar/suffern",              at_least: [1.0, 1.0] },
     Bar { path: "pair/child",                      peer: "peer/pair/sobol_burley",                at_least: [2.0, 2.0] },
-    // Later, with the sampler over the screen:
-    // Bar { path: "pair/screen",                  peer: "peer/pair/sobol_burley",                at_least: [3.0, 3.0] },
+    Bar { path: "pair/screen",                     peer: "peer/pair/sobol_burley",                at_least: [3.0, 3.0] },
     Bar { path: "bounce/cosine",                   peer: "peer/bounce/small-rng-pbrt-duff",       at_least: [0.75, 0.9] },
     Bar { path: "effect/glossy-reject/fast-f32",   peer: "peer/glossy/suffern",                   at_least: [0.8, 0.9] },
     Bar { path: "effect/glossy-flip/fast-f32",     peer: "peer/glossy/suffern",                   at_least: [0.8, 0.9] },

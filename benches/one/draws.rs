@@ -3,8 +3,7 @@
 
 use crate::calls::Calls;
 use crate::inputs::Given;
-use hemidisc::sequence::SobolOwen;
-use hemidisc::{Concentric, Cosine, FastF32, Frame};
+use hemidisc::{Concentric, Cosine, Domain, FastF32, Frame, Screen};
 
 /// What is drawn at a bounce, as the key of a domain.
 const DIRECTION: u32 = 3;
@@ -12,7 +11,9 @@ const DIRECTION: u32 = 3;
 pub(crate) fn every(calls: &mut Calls<'_>) {
     calls.call("pair/child", child);
     calls.call("pair/ready", ready);
-    // Later: `pair/screen`, a child and its pair of the sampler over the screen.
+    calls.call("pair/screen", screen);
+    calls.call("pair/joint", joint);
+    calls.call("pair/chance", chance);
     calls.call("lens/concentric", lens);
     calls.call("bounce/cosine", bounce);
     calls.call("bounce/cosine-checked", checked);
@@ -20,7 +21,26 @@ pub(crate) fn every(calls: &mut Calls<'_>) {
 
 /// A child and its pair.
 fn child(given: Given) -> [u32; 2] {
-    SobolOwen::in_domain(given.domain().child(given.key())).at(given.index())
+    given.sampler().child(given.key()).pair()
+}
+
+/// A child and its pair of a pixel of a screen, whose place is found for each call.
+fn screen(given: Given) -> Option<[u32; 2]> {
+    const SIZE: [u32; 2] = [4096; 2];
+    let screen = Screen::new(Domain::new(7), SIZE, 16).ok()?;
+    let [x, y] = given.pixel();
+    Some(screen.pixel(x, y).ok()?.sampler(given.index() & 15).child(given.key()).pair())
+}
+
+/// A child and its four joint numbers.
+fn joint(given: Given) -> [u32; 4] {
+    let [[u, v], [w, x]] = given.sampler().child(given.key()).joint();
+    [u, v, w, x]
+}
+
+/// A child and a decision.
+fn chance(given: Given) -> u32 {
+    given.sampler().child(given.key()).chance(0.7).into()
 }
 
 /// The pair of a sequence that was made before.
@@ -34,9 +54,9 @@ fn lens(given: Given) -> [f32; 2] {
 }
 
 /// A whole bounce: two children, a pair, and a direction about the normal that a ray hit.
-fn bounce(given: Given) -> Option<[f32; 3]> {
-    let frame = Frame::new(given.normal()).ok()?;
-    Some(Cosine::<FastF32>::new().about(frame).sample(grandchild(given)))
+fn bounce(given: Given) -> [f32; 3] {
+    let frame = Frame::from_normal(given.normal());
+    Cosine::<FastF32>::new().about(frame).sample(grandchild(given))
 }
 
 /// The same about a normal that was checked before.
@@ -46,6 +66,5 @@ fn checked(given: Given) -> [f32; 3] {
 
 /// The pair of a child's child: of what is drawn, at a bounce.
 fn grandchild(given: Given) -> [u32; 2] {
-    let bounce = given.domain().child(given.key());
-    SobolOwen::in_domain(bounce.child(DIRECTION)).at(given.index())
+    given.sampler().child(given.key()).child(DIRECTION).pair()
 }

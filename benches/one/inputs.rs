@@ -3,7 +3,7 @@
 use benches::failure::Failure;
 use benches::random::generator;
 use hemidisc::sequence::SobolOwen;
-use hemidisc::{Domain, Unit};
+use hemidisc::{Domain, Sampler, Unit};
 use rand_distr::{Distribution, UnitSphere};
 use rand_xoshiro::rand_core::Rng;
 
@@ -65,6 +65,18 @@ impl Given {
     #[inline(always)]
     pub(crate) fn domain(self) -> Domain {
         Domain::from_words(self.pair())
+    }
+
+    /// A path at a sample of that domain.
+    #[inline(always)]
+    pub(crate) fn sampler(self) -> Sampler {
+        Sampler::new(self.domain(), self.index())
+    }
+
+    /// A pixel of a screen of 4096 x 4096.
+    #[inline(always)]
+    pub(crate) fn pixel(self) -> [u32; 2] {
+        self.pair().map(|word| word >> 20)
     }
 
     /// The sequence of a domain, made before.

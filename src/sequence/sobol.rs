@@ -59,7 +59,7 @@ impl Sobol {
     ///
     /// ```
     /// use hemidisc::sequence::Sobol;
-    /// assert_eq!(Sobol::new(0).joint(2)[1], [0x4000_0000, 0xc000_0000]);
+    /// assert_eq!(Sobol::new(0).joint(2)[1], [0xc000_0000, 0xc000_0000]);
     /// ```
     #[must_use]
     #[inline]
