@@ -263,8 +263,7 @@ impl<A: Root> DiscLight<A> {
         let inside = A::Real::dot(to_centre, to_centre) < self.radius * self.radius;
         let square = distance * distance;
         // Both d^2 and cos t / d^2 are normal numbers.
-        let in_range =
-            square >= A::Real::MIN_POSITIVE && cosine > square * A::Real::MIN_POSITIVE;
+        let in_range = square >= A::Real::MIN_POSITIVE && cosine > square * A::Real::MIN_POSITIVE;
         (inside && in_range).then_some(Hit { to_centre, direction, distance, cosine })
     }
 
