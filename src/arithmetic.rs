@@ -154,6 +154,18 @@ pub trait Arithmetic:
     #[doc(hidden)]
     fn power(exponent: Self::Exponent, disc: Self::Disc) -> [Self::Real; 3];
 
+    /// [`power`](Self::power), and the density of the direction: where both 1 - r^2 and z are at
+    /// hand, z^e = (1 - r^2) / z needs no second power.
+    #[doc(hidden)]
+    #[inline]
+    fn power_with_density(
+        exponent: Self::Exponent,
+        disc: Self::Disc,
+    ) -> ([Self::Real; 3], Self::Real) {
+        let direction = Self::power(exponent, disc);
+        (direction, Self::Back::power_density(exponent.into(), direction))
+    }
+
     /// The points of a disc map over a block.
     #[doc(hidden)]
     #[inline(always)]
@@ -244,6 +256,17 @@ pub trait Back {
     fn cosine_density(direction: [Self::Real; 3]) -> Self::Real;
     /// Density over directions, per steradian: (e + 1) z^e / (2 pi), and 0 below the horizon.
     fn power_density(exponent: Self::Exponent, direction: [Self::Real; 3]) -> Self::Real;
+
+    /// [`power_density`](Self::power_density), to be added to that of another direction: 0 where it
+    /// is less than a rounding error of the sum, which may be known without a power.
+    #[inline]
+    fn power_density_beside(
+        exponent: Self::Exponent,
+        direction: [Self::Real; 3],
+        _other: [Self::Real; 3],
+    ) -> Self::Real {
+        Self::power_density(exponent, direction)
+    }
 }
 
 /// The kernel of a disc map, without a value: a disc map has no parameter.

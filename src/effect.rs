@@ -8,9 +8,20 @@
 //! | [`Glossy`] | directions about the mirror's | one above the surface, by one of three policies |
 //!
 //! An effect that a renderer does not use costs nothing: no point drawn, no code, no table. Every
-//! sample has its density, and the weight to multiply with the value that the sample sees. The mean
-//! of weight times value estimates the effect's integral. [`balance_heuristic`] and
-//! [`power_heuristic`] combine two strategies, such as a light's samples and a lobe's.
+//! sample has its density and a weight. The mean over the samples of a weight times what it is for
+//! estimates the effect's integral:
+//!
+//! | effect | weight | times | mean |
+//! | --- | --- | --- | --- |
+//! | [`ThinLens`] | `weight`, 1 | the radiance along the ray | the pixel's |
+//! | [`DiscLight`] | `weight`, cos t / d^2 | the intensity along the axis, cos s | irradiance |
+//! | | `radiance_weight`, area cos t / d^2 | the radiance, cos s | irradiance |
+//! | [`AmbientOcclusion`] | `weight`, 1 | openness | openness, weighted by cos s / pi |
+//! | [`Glossy`] | `weight`, 0 or 1 | the radiance along the direction | that of the reflection |
+//!
+//! t is the angle at the light, s the angle at the receiver, which the renderer knows; a light of
+//! which nothing is visible has weights of 0. [`balance_heuristic`] and [`power_heuristic`] combine
+//! two strategies, such as a light's samples and a lobe's.
 //!
 //! Results are finite for finite input, unless slopes or sums of coordinates exceed MAX. The weight
 //! is 0 where nothing is visible: a receiver on the light, in its plane or behind it. Normals and
@@ -88,11 +99,17 @@ fn capped<R: Real>(x: R) -> R {
     if x.finite() { x } else { R::MAX }
 }
 
-/// 1 / x for x >= 0, as a normal number, since a density is positive.
+/// A number that is not negative as a normal number, since a density is positive.
+#[inline]
+fn positive<R: Real>(x: R) -> R {
+    let x = capped(x);
+    if x > R::MIN_POSITIVE { x } else { R::MIN_POSITIVE }
+}
+
+/// 1 / x for x >= 0, as a normal number.
 #[inline]
 fn reciprocal<R: Real>(x: R) -> R {
-    let reciprocal = capped(R::ONE / x);
-    if reciprocal > R::MIN_POSITIVE { reciprocal } else { R::MIN_POSITIVE }
+    positive(R::ONE / x)
 }
 
 /// a + k b.

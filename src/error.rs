@@ -125,7 +125,8 @@ pub enum Error {
         /// The square of its length.
         length_squared: f64,
     },
-    /// A tangent along the normal, or along its opposite.
+    /// Two vectors of the same direction or of opposite ones, which span no plane: a tangent along
+    /// the normal, parallel axes, a camera that looks straight up.
     Parallel {
         /// The cosine of the angle between the two.
         cosine: f64,
@@ -208,7 +209,7 @@ impl fmt::Display for Error {
             }
             Self::Parallel { cosine } => write!(
                 f,
-                "a tangent with the cosine {cosine} to the normal; accepted: any direction but the normal's and its opposite"
+                "two vectors with the cosine {cosine} between them; accepted: any but the same direction and its opposite"
             ),
             Self::NoDirection => f.write_str(
                 "a vector that is zero, infinite or not a number; accepted: finite, not zero",

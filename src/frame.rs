@@ -4,27 +4,38 @@
 //! Orthonormal Basis, Revisited", JCGT 6(1), 2017: no square root, and exact near n_z = -1, where
 //! Frisvad's form divides by 0.
 
+mod about;
+mod axes;
 mod unit;
 
+pub use about::About;
 pub use unit::Unit;
 
 use crate::arithmetic::{Real, vector};
-use crate::block::{BLOCK, Block, Lanes};
 use crate::error::Error;
-use crate::map::{Density, Invert, Map};
 
-/// A right-handed orthonormal basis whose third axis is a given unit vector.
+/// A right-handed orthonormal basis: x cross y is z, its third axis.
 ///
-/// The first two axes are a continuous function of a normal above the plane n_z = 0, and of one
+/// | from | by | if there is none |
+/// | --- | --- | --- |
+/// | a normal, in the inner loop | [`from_normal`](Self::from_normal) | the frame about the z axis |
+/// | a normal, checked | [`new`](Self::new), [`normalized`](Self::normalized) | an error |
+/// | a [`Unit`] | `from` | |
+/// | a normal and a tangent | [`with_tangent`](Self::with_tangent) | an error |
+/// | two axes | [`from_axes`](Self::from_axes) | an error |
+/// | where a camera looks, and up | [`look_to`](Self::look_to) | an error |
+///
+/// About a normal alone, the first two axes are a continuous function of a normal above the plane n_z = 0, and of one
 /// below it. Between neighbouring normals on either side of that plane they turn about the normal,
 /// by up to half a turn: no frame is a continuous function of all normals. Nothing that is symmetric
 /// about the normal depends on it. For sets of points that must not jump, as of textures or brushed
 /// metal, [`with_tangent`](Self::with_tangent) takes the first axis from the surface.
 ///
 /// ```
-/// use hemidisc::{Cosine, Frame, LibmF32, Map};
-/// let normal = [0.0, 1.0, 0.0];
-/// let lobe = Cosine::<LibmF32>::new().about(Frame::new(normal)?);
+/// use hemidisc::{Cosine, Frame, LibmF32};
+/// // The normal of a hit, which rounding has left a little off unit length.
+/// let normal = [0.0, 1.000_001, 0.0];
+/// let lobe = Cosine::<LibmF32>::new().about(Frame::from_normal(normal));
 /// let [_, up, _] = lobe.sample([1 << 30, 3 << 30]);
 /// assert!(up > 0.0);
 /// assert!(Frame::new([0.0_f32, 2.0, 0.0]).is_err());
@@ -78,50 +89,33 @@ impl<R: Real> Frame<R> {
         Unit::normalized(vector).map(Self::from)
     }
 
-    /// The frame about a normal whose first axis is a tangent, of any length, made orthogonal to the
-    /// normal. It is a continuous function of both. The second axis is normal x first axis.
+    /// The frame about a surface's normal, as a renderer's inner loop has it: of any length, and
+    /// without an error.
+    ///
+    /// The third axis is [`Unit::normalized_or_z`] of the normal: within 2 ulp of 1 of its
+    /// direction, or the normal itself where its length squared is within 16 ulp of 1. All lengths
+    /// squared and cosines between the axes are within 4 ulp of 1 and 0, plus three times what the
+    /// third axis's length squared is off. A zero, infinite or NaN normal has no direction: its
+    /// frame is that of the z axis, so a sample about it is wrong, but a unit vector.
+    ///
+    /// It takes a dot product and Duff's basis, of one division and no square root. Where the length
+    /// squared is more than 16 ulp from 1, two polynomials bring it to 1; more than 1/128 from it,
+    /// three more divisions.
     ///
     /// ```
-    /// use hemidisc::{Error, Frame, Unit};
-    /// let up = Unit::new([0.0, 0.0, 1.0])?;
-    /// let frame = Frame::with_tangent(up, [0.0, 3.0, 4.0])?;
-    /// assert_eq!(frame.axes(), [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
-    /// assert_eq!(Frame::with_tangent(up, [0.0, 0.0, 2.0]), Err(Error::Parallel { cosine: 1.0 }));
-    /// # Ok::<(), hemidisc::Error>(())
+    /// use hemidisc::{Cosine, FastF32, Frame};
+    /// // Of a hit on a sphere.
+    /// let (centre, radius, hit) = ([0.0, 1.0, 0.0], 1.0_f32, [0.36, 1.48, 0.8]);
+    /// let normal = [0, 1, 2].map(|i| (hit[i] - centre[i]) / radius);
+    /// let frame = Frame::from_normal(normal);
+    /// let bounce = frame.to_world(Cosine::<FastF32>::new().sample([1 << 31, 1 << 30]));
+    /// assert!(bounce[0] * normal[0] + bounce[1] * normal[1] + bounce[2] * normal[2] > 0.0);
+    /// assert_eq!(Frame::from_normal([0.0, 0.0, f32::NAN]), Frame::from_normal([0.0, 0.0, 1.0]));
     /// ```
-    ///
-    /// # Errors
-    /// [`Error::NoDirection`] for a tangent that is zero, infinite or not a number, and
-    /// [`Error::Parallel`] for one within 16 ulp of 1 of the normal or its opposite.
-    pub fn with_tangent(normal: Unit<R>, tangent: [R; 3]) -> Result<Self, Error> {
-        // The first axis of a frame gives that frame again, bit for bit: that of the frame about the
-        // normal alone may be as far from orthogonal as the normal is from unit length, and another
-        // has lost no more than rounding.
-        let plain = Self::from(normal);
-        if tangent == plain.x {
-            return Ok(plain);
-        }
-        let z = normal.get();
-        let mut x = Unit::normalized(tangent)?.get();
-        let cosine = R::dot(x, z);
-        if cosine.magnitude() > R::EPSILON * R::FOUR {
-            let across = rejected(x, z);
-            let room = R::EPSILON * R::FOUR * R::FOUR;
-            if R::dot(across, across) <= room * room {
-                return Err(Error::Parallel { cosine: cosine.into() });
-            }
-            // Twice is enough: what rounding has left along the normal is small beside the first
-            // rest, but may not be beside 1 (B. Parlett, "The Symmetric Eigenvalue Problem", 1980).
-            x = Unit::normalized(across)?.get();
-            x = Unit::normalized(rejected(x, z))?.get();
-        }
-        if x == plain.x { Ok(plain) } else { Ok(Self { x, y: cross(z, x), z: normal }) }
-    }
-
-    /// The first axis, unless it is that of the frame about the third axis alone.
-    #[cfg(any(feature = "serde", feature = "defmt"))]
-    pub(crate) fn tangent(&self) -> Option<[R; 3]> {
-        (*self != Self::from(self.z)).then_some(self.x)
+    #[must_use]
+    #[inline]
+    pub fn from_normal(normal: [R; 3]) -> Self {
+        Self::from(Unit::normalized_or_z(normal))
     }
 
     /// A vector from the frame's coordinates to the world's.
@@ -183,89 +177,3 @@ macro_rules! const_frame {
 }
 const_frame!(f32);
 const_frame!(f64);
-
-/// What is left of a vector across another. A unit vector's length is within 8 ulp of 1, which a
-/// short rest would show.
-fn rejected<R: Real>(vector: [R; 3], axis: [R; 3]) -> [R; 3] {
-    let along = R::dot(vector, axis) / R::dot(axis, axis);
-    core::array::from_fn(|i| vector[i] - along * axis[i])
-}
-
-fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// A map of directions, turned about the third axis of a frame: world-space sampling about a
-/// normal. [`Hemisphere::about`](crate::hemisphere::Hemisphere::about) turns a lobe.
-///
-/// Rotation rounds: a direction at the horizon may end a few eps below the plane, where its density
-/// is 0. The angle to the axis of a sharp lobe is off by an eps, so the density of a turned
-/// direction is accurate to about sqrt(e) eps. [`sample_with_density`](Density::sample_with_density)
-/// takes the density before the rotation: positive for every sample, and as accurate as the lobe's.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct About<M, R> {
-    map: M,
-    frame: Frame<R>,
-}
-
-impl<M, R> About<M, R> {
-    /// The directions of a map in world space: its z axis is the third axis of the frame.
-    #[must_use]
-    pub const fn new(map: M, frame: Frame<R>) -> Self {
-        Self { map, frame }
-    }
-
-    /// The map, about its own z axis.
-    #[must_use]
-    pub const fn map(&self) -> &M {
-        &self.map
-    }
-
-    /// The frame.
-    #[must_use]
-    pub const fn frame(&self) -> &Frame<R> {
-        &self.frame
-    }
-}
-
-impl<R: Real, M: Map<Point = [R; 3]>> Map for About<M, R> {
-    type Point = [R; 3];
-
-    #[inline(always)]
-    fn sample(&self, uv: [u32; 2]) -> [R; 3] {
-        self.frame.to_world(self.map.sample(uv))
-    }
-
-    /// The map's own block, turned.
-    #[inline(always)]
-    fn sample_block(&self, u: &Block, v: &Block, out: &mut [Lanes<R>; 3]) {
-        self.map.sample_block(u, v, out);
-        let [x, y, z] = out;
-        for lane in 0..BLOCK {
-            [x[lane], y[lane], z[lane]] = self.frame.to_world([x[lane], y[lane], z[lane]]);
-        }
-    }
-}
-
-impl<R: Real, M: Density<Point = [R; 3]>> Density for About<M, R> {
-    #[inline]
-    fn density(&self, world: [R; 3]) -> R {
-        self.map.density(self.frame.to_local(world))
-    }
-
-    #[inline]
-    fn sample_with_density(&self, uv: [u32; 2]) -> ([R; 3], R) {
-        let (local, density) = self.map.sample_with_density(uv);
-        (self.frame.to_world(local), density)
-    }
-}
-
-impl<R: Real, M: Invert<Point = [R; 3]>> Invert for About<M, R> {
-    #[inline]
-    fn invert(&self, world: [R; 3]) -> [u32; 2] {
-        self.map.invert(self.frame.to_local(world))
-    }
-}
-
-#[cfg(feature = "rand")]
-crate::map::distribution!([R: Real, M: Map<Point = [R; 3]>] About<M, R>, [R; 3]);

@@ -10,6 +10,33 @@
 //! | [`Uniform`] | z = 1 - r^2 of a disc map's point | 1 / (2 pi) |
 //! | [`Cosine`] | z = sqrt(1 - r^2) | z / pi |
 //! | [`Power`] | z = (1 - r^2)^(1 / (e + 1)) | (e + 1) z^e / (2 pi) |
+//!
+//! Every map here has `sample` as a method of its own: [`Map`] is for functions that are generic
+//! over maps. `rand`'s `Distribution` has a method of the same name. Where both are in scope,
+//! `map.sample([u, v])` is the map's, and `rng.sample(map)` draws u and v from a generator, with the
+//! feature `rand` and `rand` 0.10. `map.sample([rng.random(), rng.random()])` needs no feature and
+//! takes a generator of any version.
+#![cfg_attr(
+    feature = "rand",
+    doc = r#"
+```
+use hemidisc::{Concentric, FastF32, Map};
+use rand::{prelude::*, rngs::SmallRng};
+
+/// A function that is generic over maps means the map's, too.
+fn middle<M: Map>(map: M) -> M::Point {
+    map.sample([1 << 31, 1 << 31])
+}
+
+let disc = Concentric::<FastF32>::new();
+let mut rng = SmallRng::seed_from_u64(7);
+let (fixed, drawn) = (disc.sample([1 << 31, 1 << 31]), rng.sample(disc));
+assert!(fixed == middle(disc) && fixed != drawn);
+let point = disc.sample([rng.random(), rng.random()]);
+assert!(point[0] * point[0] + point[1] * point[1] <= 1.0);
+```
+"#
+)]
 
 pub mod disc;
 pub mod hemisphere;
@@ -87,6 +114,12 @@ pub trait Density: Map {
     fn density(&self, point: Self::Point) -> Component<Self>;
 
     /// The point of a pair of coordinates and its density: what a weight f / p needs.
+    ///
+    /// The point is that of [`sample`](Map::sample), bit for bit. The density is that of the
+    /// coordinates, which a map may know better than the rounded point tells; it is
+    /// [`density`](Self::density) of the point within the rounding of both, and the two may differ
+    /// in their last digits. Accuracy is promised of each: of `density`, at a sampled point, and of
+    /// this one.
     #[must_use]
     #[inline]
     fn sample_with_density(&self, uv: [u32; 2]) -> (Self::Point, Component<Self>) {
@@ -105,11 +138,25 @@ pub trait Invert: Density {
     fn invert(&self, point: Self::Point) -> [u32; 2];
 }
 
-/// `rand`'s trait: a sample of two uniform words of a generator, u first.
-#[cfg(feature = "rand")]
-macro_rules! distribution {
-    ([$($generics:tt)*] $map:ty, $point:ty $(, where $($bounds:tt)*)?) => {
-        impl<$($generics)*> rand::distr::Distribution<$point> for $map $(where $($bounds)*)? {
+/// `sample` as a method of the type's own, and `rand`'s trait.
+///
+/// The two traits have a method of one name: where both are in scope, a call of `sample` on a type
+/// that implements both would be ambiguous, and a feature that some dependency turns on would break
+/// the build. A type's own method comes before a trait's.
+macro_rules! sampled {
+    ([$($generics:tt)*] $map:ty, $point:ty) => {
+        impl<$($generics)*> $map {
+            /// The point of a pair of coordinates, u first; every bit pattern is valid. It is
+            /// [`Map::sample`](crate::Map::sample), without the trait in scope.
+            #[must_use]
+            #[inline(always)]
+            pub fn sample(&self, uv: [u32; 2]) -> $point {
+                $crate::map::Map::sample(self, uv)
+            }
+        }
+
+        #[cfg(feature = "rand")]
+        impl<$($generics)*> rand::distr::Distribution<$point> for $map {
             /// Draws two words, u first.
             #[inline]
             fn sample<G: rand::Rng + ?Sized>(&self, rng: &mut G) -> $point {
@@ -119,8 +166,7 @@ macro_rules! distribution {
         }
     };
 }
-#[cfg(feature = "rand")]
-pub(crate) use distribution;
+pub(crate) use sampled;
 
 mod sealed {
     pub trait Sealed {}

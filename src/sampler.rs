@@ -1,7 +1,4 @@
-//! A sampler: what a renderer draws the numbers of one sample from.
-//!
-//! A domain says for what the numbers are (pixel, effect, bounce), an index which sample they are
-//! of. Both are set where the sample begins, so nothing that draws computes an index.
+#![doc = include_str!("../docs/renderer.md")]
 
 mod weight;
 

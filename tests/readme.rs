@@ -10,8 +10,8 @@ use testkit::contract::CONTRACTS;
 /// The bounds as Markdown.
 fn table() -> String {
     let mut text = String::from(
-        "| arithmetic | map | position | norm | theta | z | density | round trip |\n\
-         | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        "| arithmetic | map | position | norm | theta | z | density | of a sample | round trip |\n\
+         | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );
     for row in CONTRACTS {
         let name = if row.relative { "eps" } else { "LSB" };
@@ -22,10 +22,11 @@ fn table() -> String {
             _ => format!("{first} + {slope} {of}"),
         };
         let (z, density) = (sum(row.z, "abs(ln z)"), sum(row.density, "sqrt e"));
+        let sampled = sum(row.sampled, if row.relative { "abs(ln z)" } else { "sqrt e" });
         let theta = if row.theta == 0.0 { "-".to_string() } else { format!("{}", row.theta) };
         writeln!(
             text,
-            "| `{}`, {unit} | {} | {} | {} | {theta} | {z} | {density} | {} |",
+            "| `{}`, {unit} | {} | {} | {} | {theta} | {z} | {density} | {sampled} | {} |",
             row.arithmetic, row.map, row.position, row.norm, row.round_trip
         )
         .unwrap();

@@ -5,7 +5,7 @@ use hemidisc::sequence::{
     Correlated, GridSize, Halton, InDomain, Jittered, MultiJittered, R2, Random, Sequence, Shifted,
     Shuffled, Sobol, SobolOwen,
 };
-use hemidisc::{Domain, Error, FastF32, Map, Sampler, UnitSquare, invariant};
+use hemidisc::{Domain, Error, FastF32, Sampler, UnitSquare, invariant};
 use std::collections::HashSet;
 use testkit::chi_square::assert_random;
 
@@ -39,7 +39,7 @@ fn numbers_are_below_1() {
         let cell = sampler.cell();
         assert_eq!(sampler.unit_f32(), (cell >> 8) as f32 / 16_777_216.0);
         assert_eq!(sampler.unit_f64(), f64::from(cell) / 4_294_967_296.0);
-        assert_eq!(sampler.choose(10), (u64::from(cell) * 10 >> 32) as u32);
+        assert_eq!(sampler.choose(10), ((u64::from(cell) * 10) >> 32) as u32);
         assert_eq!(sampler.choose(0), 0);
         assert_eq!(sampler.chance(0.25), cell < 1 << 30);
         assert!(sampler.chance(1.0) && sampler.chance(f32::INFINITY));
@@ -198,7 +198,7 @@ fn four_dimensions_are_even_together() {
                     let mut counts = [0; 32];
                     for point in &points {
                         let place = point.iter().zip(bits).fold(0, |place, (cell, bits)| {
-                            place << bits | (u64::from(*cell) << bits >> 32) as usize
+                            place << bits | ((u64::from(*cell) << bits) >> 32) as usize
                         });
                         counts[place] += 1;
                     }

@@ -6,7 +6,7 @@ use std::collections::HashSet;
 /// The strata of u that points hit, of as many as there are points.
 fn strata(points: impl ExactSizeIterator<Item = u32>) -> usize {
     let count = points.len() as u64;
-    let hit: HashSet<_> = points.map(|cell| u64::from(cell) * count >> 32).collect();
+    let hit: HashSet<_> = points.map(|cell| (u64::from(cell) * count) >> 32).collect();
     hit.len()
 }
 

@@ -15,9 +15,9 @@ use hemidisc::sequence::{
     Regular, Shifted, Shuffled, Sobol, SobolOwen,
 };
 use hemidisc::{
-    Axis, Concentric, Coordinates, Cosine, Domain, Error, FastF32, Frame, LibmF32, LibmF64, Map,
-    Points, Polar, Power, Q15, Q15Div, Q31, Sampler, Screen, Uniform, Unit, UnitSquare,
-    for_each_sequence, made_by,
+    Axis, Concentric, Coordinates, Cosine, Domain, Error, FastF32, Frame, LibmF32, LibmF64, Points,
+    Polar, Power, Q15, Q15Div, Q31, Sampler, Screen, Uniform, Unit, UnitSquare, for_each_sequence,
+    made_by,
 };
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;

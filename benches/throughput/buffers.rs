@@ -1,18 +1,15 @@
 //! What every family of fills shares: the sizes of buffers, random coordinates, the visitor, and
 //! the fill of a buffer with the points of a sequence.
 
+use benches::random::generator;
 use hemidisc::{Map, Points, map::Point, sequence::Sequence};
-use rand_xoshiro::Xoshiro128PlusPlus;
-use rand_xoshiro::rand_core::{Rng, SeedableRng};
+use rand_xoshiro::rand_core::Rng;
 use std::hint::black_box;
 
 /// A buffer of this many points stays in the caches of a core.
 pub(crate) const SMALL: usize = 1 << 12;
 /// A buffer of this many fits in no cache.
 pub(crate) const LARGE: usize = 1 << 22;
-
-/// The seed of sequences and generators.
-pub(crate) const SEED: u32 = 7;
 
 /// Sees every fill in turn.
 pub(crate) trait Visitor<'a> {
@@ -45,12 +42,6 @@ impl Coordinates {
 /// Candidates from which rejection keeps that many points: of random ones it keeps 78.5 %.
 pub(crate) const fn candidates(points: usize) -> usize {
     points + points / 2
-}
-
-/// Different words for each size of buffer: with the same ones the second buffer would find a
-/// trained branch predictor.
-pub(crate) fn generator(points: usize) -> Xoshiro128PlusPlus {
-    Xoshiro128PlusPlus::seed_from_u64(u64::from(SEED) + points as u64)
 }
 
 /// Points of a sequence into a buffer: what a caller of the crate does.

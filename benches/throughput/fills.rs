@@ -12,8 +12,8 @@
 //! All but the peers come from the catalogue's lists.
 
 use crate::buffers::{Coordinates, Visitor};
-use crate::failure::Failure;
 use crate::{fused, maps, peers, sequences, shapes};
+use benches::failure::Failure;
 
 /// Visits every fill of that many points, a multiple of 64.
 pub(crate) fn every<'a>(

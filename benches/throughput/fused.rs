@@ -1,9 +1,10 @@
 //! Sequence, map and buffer in one fill: every sequence through every map of fast f32, and Sobol
 //! through every map of the other arithmetics.
 
-use crate::buffers::{SEED, Visitor};
-use crate::failure::Failure;
+use crate::buffers::Visitor;
 use crate::maps::Through;
+use benches::failure::Failure;
+use benches::random::SEED;
 use hemidisc::FastF32;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{self, ArithmeticVisitor, SequenceVisitor};

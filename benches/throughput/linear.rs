@@ -4,8 +4,9 @@
 //! `slice::fill` shows.
 
 use crate::buffers::{Coordinates, LARGE, SMALL};
-use crate::failure::Failure;
-use crate::rounds::{self, Measurement};
+use crate::rounds;
+use benches::failure::Failure;
+use benches::rounds::Measurement;
 
 /// Points of a buffer.
 pub(crate) const SIZES: [usize; 4] = [1 << 8, SMALL, 1 << 16, LARGE];

@@ -13,11 +13,11 @@
 //!
 //! `fills` says what is timed. `sequences`, `maps`, `fused` and `peers` are its families, and
 //! `buffers` is what they share. The peers' formulas are in `testkit::textbook`. `timings` is
-//! criterion's part. `rounds` interleaves; `targets` and `linear` are rounds of their own. `report`
-//! keeps what was measured, and `table` prints it.
+//! criterion's part. `rounds` times what is wanted; `targets` and `linear` are rounds of their own.
+//! `report` keeps what was measured, and `table` prints it. What `one` has as well is the library of
+//! this package.
 
 mod buffers;
-mod failure;
 mod fills;
 mod fused;
 mod linear;
@@ -31,51 +31,15 @@ mod table;
 mod targets;
 mod timings;
 
+use benches::arguments::Arguments;
+use benches::failure::Failure;
 use buffers::{Coordinates, LARGE, SMALL};
-use failure::Failure;
 use report::{Build, Report};
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-/// What to do.
-struct Arguments {
-    timings: bool,
-    ratios: bool,
-    merge: bool,
-    /// Everything once.
-    test: bool,
-}
-
-impl Arguments {
-    fn new(given: &[String]) -> Result<Self, String> {
-        let has = |name: &str| given.iter().any(|argument| argument == name);
-        // `cargo bench` passes this; criterion, too, takes anything else for a test.
-        let test = has("--test") || !has("--bench");
-        let mut others =
-            given.iter().filter(|given| !["--bench", "--test"].contains(&given.as_str()));
-        if !has("--ratios") {
-            let alone = others.next().is_none();
-            return Ok(Self { timings: true, ratios: alone, merge: false, test });
-        }
-        match others.find(|given| !["--ratios", "--merge"].contains(&given.as_str())) {
-            Some(other) => Err(format!("`{other}`: beside --ratios there are --merge and --test")),
-            None => Ok(Self { timings: false, ratios: true, merge: has("--merge"), test }),
-        }
-    }
-}
-
 fn main() -> ExitCode {
-    let given: Vec<_> = std::env::args().skip(1).collect();
-    let (status, message) = match Arguments::new(&given) {
-        Ok(arguments) => match run(&arguments) {
-            Ok(()) => return ExitCode::SUCCESS,
-            Err(error) => (1, error.to_string()),
-        },
-        Err(message) => (2, message),
-    };
-    // There is nowhere to report a failed write.
-    let _ = writeln!(io::stderr(), "error: {message}");
-    ExitCode::from(status)
+    benches::arguments::main(run)
 }
 
 fn run(arguments: &Arguments) -> Result<(), Failure> {

@@ -1,16 +1,14 @@
 //! Every map of every arithmetic, from stored coordinates.
 
 use crate::buffers::{Coordinates, Visitor, candidates, filler};
-use crate::failure::Failure;
+use benches::EXPONENT;
+use benches::failure::Failure;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{self, ArithmeticVisitor, MapVisitor};
 use hemidisc::disc::Rejection;
 use hemidisc::sequence::{Sequence, Stored};
 use hemidisc::{Invert, Map, UnitSquare};
 use std::hint::black_box;
-
-/// The exponent of the power lobe: a highlight of some 10 degrees.
-pub(crate) const EXPONENT: f32 = 50.0;
 
 pub(crate) fn every<'a>(
     coordinates: &'a Coordinates,

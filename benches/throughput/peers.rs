@@ -1,38 +1,16 @@
 //! The peers: `rand_distr`'s disc and sphere on xoshiro128++, `sobol_burley`, the textbooks'
 //! formulas on std's and glibc's f32 functions, and `slice::fill`, the least that a fill can cost.
 
-use crate::buffers::{Coordinates, SEED, Visitor, generator};
-use crate::maps::EXPONENT;
+use crate::buffers::{Coordinates, Visitor};
+use benches::EXPONENT;
+use benches::functions::Std;
+use benches::random::{SEED, generator};
 use rand_distr::{Distribution, UnitDisc, UnitSphere};
 use rand_xoshiro::rand_core::Rng;
 use std::hint::black_box;
 use testkit::textbook::{
-    Functions, pbrt_concentric, pbrt_cosine, pbrt_polar, pbrt_uniform, suffern_concentric,
-    suffern_power, unit,
+    pbrt_concentric, pbrt_cosine, pbrt_polar, pbrt_uniform, suffern_concentric, suffern_power, unit,
 };
-
-/// The functions of std, which are the platform's, as a renderer in C++ or Rust calls them; and the
-/// same with `libm`'s power.
-struct Std<const LIBM_POWER: bool = false>;
-
-impl<const LIBM_POWER: bool> Functions for Std<LIBM_POWER> {
-    #[inline(always)]
-    fn sin(x: f32) -> f32 {
-        x.sin()
-    }
-    #[inline(always)]
-    fn cos(x: f32) -> f32 {
-        x.cos()
-    }
-    #[inline(always)]
-    fn sqrt(x: f32) -> f32 {
-        x.sqrt()
-    }
-    #[inline(always)]
-    fn pow(x: f32, y: f32) -> f32 {
-        if LIBM_POWER { libm::powf(x, y) } else { x.powf(y) }
-    }
-}
 
 /// `sobol_burley` has as many points.
 const BURLEY: u32 = 1 << 16;

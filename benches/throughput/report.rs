@@ -28,16 +28,18 @@
 //! `runs`. `ratios` has the speed relative to other fills, by their paths, at as many points: above
 //! 1 it is faster.
 
-use crate::failure::{Failure, failed};
 use crate::peers;
-use crate::rounds::Measurement;
+use benches::builds::{self, THIS, VECTORS};
+use benches::failure::Failure;
+use benches::record;
+use benches::rounds::Measurement;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::fs;
-use std::io::ErrorKind;
-use std::path::PathBuf;
 
-/// The builds, in the order of [`BUILDS`].
+/// The folder of the reports under `target`.
+const BENCH: &str = "throughput";
+
+/// The builds, in the order of [`builds::BUILDS`].
 #[derive(Default, Serialize, Deserialize)]
 pub(crate) struct Report {
     pub(crate) builds: Vec<Build>,
@@ -61,25 +63,6 @@ pub(crate) struct Row {
     pub(crate) ratios: BTreeMap<String, f64>,
 }
 
-const BUILDS: [&str; 2] = ["baseline", "native"];
-
-/// The widest vectors that this build may use.
-const VECTORS: &str = if cfg!(target_feature = "avx512f") {
-    "avx512f"
-} else if cfg!(target_feature = "avx2") {
-    "avx2"
-} else if cfg!(target_feature = "sse2") {
-    "sse2"
-} else if cfg!(target_feature = "sve") {
-    "sve"
-} else if cfg!(target_feature = "neon") {
-    "neon"
-} else {
-    "none"
-};
-
-const NATIVE: bool = cfg!(any(target_feature = "avx2", target_feature = "sve"));
-
 impl Row {
     pub(crate) fn path(&self) -> String {
         format!("{}/{}", self.family, self.name)
@@ -90,7 +73,7 @@ impl Build {
     /// This build, as measured.
     pub(crate) fn new(rounds: usize, measured: Vec<Measurement>) -> Self {
         let mut build = Self {
-            name: BUILDS[usize::from(NATIVE)].to_owned(),
+            name: THIS.to_owned(),
             vectors: VECTORS.to_owned(),
             runs: 1,
             rounds,
@@ -129,10 +112,9 @@ impl Build {
         Some(self.nanoseconds(other, points)? / self.nanoseconds(path, points)?)
     }
 
-    /// Of a figure for each of [`BUILDS`], this build's.
+    /// Of a figure for each of [`builds::BUILDS`], this build's.
     pub(crate) fn figure(&self, figures: [f64; 2]) -> Option<f64> {
-        let build = BUILDS.iter().zip(figures).find(|(name, _)| **name == self.name);
-        build.map(|(_, figure)| figure)
+        builds::figure(figures, &self.name)
     }
 
     fn compare(&mut self) {
@@ -155,12 +137,7 @@ impl Build {
 impl Report {
     /// The one of earlier runs; empty if there is none.
     pub(crate) fn read(name: &str) -> Result<Self, Failure> {
-        let path = path(name);
-        match fs::read(&path) {
-            Ok(bytes) => serde_json::from_slice(&bytes).map_err(|error| failed(&path, &error)),
-            Err(error) if error.kind() == ErrorKind::NotFound => Ok(Self::default()),
-            Err(error) => Err(failed(&path, &error)),
-        }
+        record::read(BENCH, name)
     }
 
     /// Takes a build in, instead of what there is of it, or merged with that.
@@ -173,18 +150,10 @@ impl Report {
         }
         build.compare();
         self.builds.push(build);
-        self.builds.sort_by_key(|build| BUILDS.iter().position(|name| *name == build.name));
+        self.builds.sort_by_key(|build| builds::place(&build.name));
     }
 
     pub(crate) fn write(&self, name: &str) -> Result<(), Failure> {
-        let path = path(name);
-        let text = serde_json::to_string_pretty(self)? + "\n";
-        let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
-        folder.and_then(|()| fs::write(&path, text)).map_err(|error| failed(&path, &error))
+        record::write(BENCH, name, self)
     }
-}
-
-/// The same for every build, which may have target folders of their own.
-fn path(name: &str) -> PathBuf {
-    [env!("CARGO_MANIFEST_DIR"), "..", "target", "throughput", name].iter().collect()
 }

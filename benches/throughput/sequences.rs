@@ -1,7 +1,8 @@
 //! Every sequence: its coordinates by blocks, as a fused fill takes them.
 
-use crate::buffers::{SEED, Visitor};
-use crate::failure::Failure;
+use crate::buffers::Visitor;
+use benches::failure::Failure;
+use benches::random::SEED;
 use hemidisc::catalogue::{self, SequenceVisitor};
 use hemidisc::sequence::{BLOCK, Block, Sequence};
 use std::hint::black_box;

@@ -2,8 +2,8 @@
 //! frame has turned. Each is compared with the plain fill of the same map.
 
 use crate::buffers::{Coordinates, Visitor, WINDOWS, filler};
-use crate::failure::Failure;
-use crate::maps::EXPONENT;
+use benches::EXPONENT;
+use benches::failure::Failure;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{self, MapVisitor};
 use hemidisc::frame::About;

@@ -5,8 +5,7 @@ use crate::linear::SIZES;
 use crate::peers;
 use crate::report::{Build, Report, Row};
 use crate::targets::{TARGETS, Target};
-use comfy_table::presets::ASCII_MARKDOWN;
-use comfy_table::{CellAlignment, Table};
+use benches::table::{joined, table, three_digits, yes_or_no};
 
 /// All of it.
 pub(crate) fn whole(report: &Report) -> String {
@@ -54,7 +53,7 @@ fn targets(report: &Report) -> String {
             cell(report, |build| build.figure(*at_least)),
             cell(report, |build| build.figure(*wanted)),
             cell(report, is),
-            each(report, |build| met(build).map(|met| if met { "yes" } else { "no" }.to_owned())),
+            each(report, |build| met(build).map(yes_or_no)),
             cell(report, |build| build.ratio(path, peer, LARGE)),
         ]);
     }
@@ -102,21 +101,5 @@ fn cell(report: &Report, of: impl Fn(&Build) -> Option<f64>) -> String {
 
 /// What is said of every build.
 fn each(report: &Report, of: impl Fn(&Build) -> Option<String>) -> String {
-    let parts: Vec<_> = report.builds.iter().filter_map(of).collect();
-    if parts.is_empty() { "-".to_owned() } else { parts.join(" / ") }
-}
-
-fn three_digits(figure: f64) -> String {
-    let places = if figure < 10.0 { 2 } else { usize::from(figure < 100.0) };
-    format!("{figure:.places$}")
-}
-
-/// An empty table: `names` columns of text, then figures.
-fn table<'a>(names: usize, headers: impl IntoIterator<Item = &'a str>) -> Table {
-    let mut table = Table::new();
-    table.load_style(ASCII_MARKDOWN).set_header(headers);
-    for column in table.column_iter_mut().skip(names) {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
-    table
+    joined(report.builds.iter().filter_map(of))
 }

@@ -2,8 +2,9 @@
 //! for the machine's own vectors.
 
 use crate::buffers::{Coordinates, LARGE};
-use crate::failure::Failure;
-use crate::rounds::{self, Measurement};
+use crate::rounds;
+use benches::failure::Failure;
+use benches::rounds::Measurement;
 
 /// One of them.
 pub(crate) struct Target {

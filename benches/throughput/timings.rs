@@ -1,8 +1,8 @@
 //! Criterion's timing of each fill in turn, compared with the last run.
 
 use crate::buffers::{Coordinates, LARGE, SMALL, Visitor};
-use crate::failure::Failure;
 use crate::fills;
+use benches::failure::Failure;
 use criterion::{Criterion, Throughput};
 use std::time::Duration;
 

@@ -65,7 +65,7 @@ fn run(out: &Path) -> Result<(), Box<dyn Error>> {
     save(&display, &out.join("points.png"))?;
 
     let objects = Objects::new()?;
-    let scene = objects.still_life([WIDTH as u32, HEIGHT as u32])?;
+    let scene = objects.still_life([WIDTH as u32, HEIGHT as u32], SAMPLES.into())?;
     let names = ["pass-1.png", "pass-2.png", "pass-3.png", "render.png"];
     for (pass, name) in PASSES.into_iter().zip(names) {
         picture::draw(&mut display, pass, SAMPLES, |from, samples, sums| {

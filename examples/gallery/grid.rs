@@ -2,7 +2,7 @@
 //!
 //! Lines are sampled densely through the map in f64; a panel thins them to what the eye can see.
 
-use hemidisc::{Concentric, Coordinates, LibmF64, Map, Polar};
+use hemidisc::{Concentric, Coordinates, LibmF64, Polar};
 use plotters::prelude::RGBColor;
 
 /// Where a map takes a point of the square.

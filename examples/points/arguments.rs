@@ -8,6 +8,8 @@ use clap::{CommandFactory, Parser};
 use examples::{maps, refusal};
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{ARITHMETICS, AVAILABLE_ARITHMETICS, DISC_MAPS, SEQUENCES};
+use hemidisc::screen::Pixel;
+use hemidisc::{Domain, Screen};
 use std::num::NonZeroU32;
 use std::str::FromStr;
 
@@ -30,7 +32,7 @@ pub(crate) struct Arguments {
         value_name = "N",
         value_parser = NonZeroU32::from_str,
         allow_negative_numbers = true,
-        required_unless_present = "stdin"
+        required_unless_present_any = ["stdin", "screen"]
     )]
     count: Option<NonZeroU32>,
 
@@ -63,6 +65,33 @@ pub(crate) struct Arguments {
     )]
     pub(crate) arithmetic: String,
 
+    /// Coordinates of a row; 4 are the first dimensions of sobol or sobol-owen, on the square
+    #[arg(
+        long,
+        value_name = "D",
+        default_value = "2",
+        value_parser = PossibleValuesParser::new(["2", "4"])
+    )]
+    dimensions: String,
+
+    /// Width and height of a screen, of which one pixel's points are printed; of sobol-owen
+    #[arg(
+        long,
+        value_name = "W,H",
+        value_parser = both,
+        requires_all = ["spp", "pixel"],
+        conflicts_with = "stdin"
+    )]
+    screen: Option<[u32; 2]>,
+
+    /// Samples in each pixel of the screen, and so rows
+    #[arg(long, value_name = "N", value_parser = NonZeroU32::from_str, requires = "screen")]
+    spp: Option<NonZeroU32>,
+
+    /// Column and row of the pixel, from 0
+    #[arg(long, value_name = "X,Y", value_parser = both, requires = "screen")]
+    pixel: Option<[u32; 2]>,
+
     /// Read the coordinates from standard input: lines `u,v` of 0x-prefixed hexadecimal u32
     #[arg(long, conflicts_with = "sequence")]
     pub(crate) stdin: bool,
@@ -83,6 +112,14 @@ pub(crate) struct Arguments {
 const COUNT: &str = "an integer 1..=4294967295";
 const INDEX: &str = "an integer 0..=4294967295";
 const EXPONENT: &str = "a finite number above -1";
+const BOTH: &str = "two integers 0..=4294967295, as in 640,480";
+
+/// Two numbers with a comma between them.
+fn both(text: &str) -> Result<[u32; 2], String> {
+    let parts = text.split_once(',').ok_or("without a comma")?;
+    let number = |part: &str| part.parse::<u32>().map_err(|error| error.to_string());
+    Ok([number(parts.0)?, number(parts.1)?])
+}
 
 impl Arguments {
     /// At least 1; 1 with `--stdin`, where it has no meaning.
@@ -96,6 +133,54 @@ impl Arguments {
 
     pub(crate) fn seed(&self) -> u32 {
         self.seed.unwrap_or(0)
+    }
+
+    /// Whether rows have four coordinates.
+    ///
+    /// # Errors
+    /// What cannot be printed with four.
+    pub(crate) fn is_joint(&self) -> Result<bool, Failure> {
+        if self.dimensions == "2" {
+            return Ok(false);
+        }
+        let named = self.sequence.as_deref().unwrap_or_default();
+        let on_map = format!("--map {}", self.map);
+        let wrong = [
+            ("--stdin".to_owned(), self.stdin),
+            (format!("--sequence {named}"), !["sobol", "sobol-owen"].contains(&named)),
+            (on_map, self.map != maps::SQUARE),
+            ("--density".to_owned(), self.density),
+            ("--invert".to_owned(), self.invert),
+        ];
+        match wrong.into_iter().find(|(_, wrong)| *wrong) {
+            None => Ok(true),
+            Some((with, _)) => Err(Failure::Usage(format!(
+                "--dimensions: 4 given with {with}; accepted: 4 with --sequence sobol or \
+                 sobol-owen and --map square, without --density and --invert"
+            ))),
+        }
+    }
+
+    /// The pixel of a screen whose points are asked for, and how many they are.
+    ///
+    /// # Errors
+    /// What is no screen, and a pixel outside.
+    pub(crate) fn pixel(&self) -> Result<Option<(Pixel, u32)>, Failure> {
+        let (Some(size), Some(samples), Some([x, y])) = (self.screen, self.spp, self.pixel) else {
+            return Ok(None);
+        };
+        let named = self.sequence.as_deref().unwrap_or_default();
+        if named != "sobol-owen" {
+            return Err(Failure::Usage(format!(
+                "--screen: given with --sequence {named}; accepted: --sequence sobol-owen"
+            )));
+        }
+        let domain = Domain::new(self.seed());
+        let screen = Screen::new(domain, size, samples.get())
+            .map_err(|error| Failure::Usage(format!("--screen: {error}")))?;
+        let pixel =
+            screen.pixel(x, y).map_err(|error| Failure::Usage(format!("--pixel: {error}")))?;
+        Ok(Some((pixel, samples.get())))
     }
 
     pub(crate) fn disc(&self) -> &str {
@@ -127,6 +212,8 @@ impl Arguments {
             ("--count", self.count.is_some() && self.stdin, "--stdin"),
             ("--start", self.start.is_some() && self.stdin, "--stdin"),
             ("--seed", self.seed.is_some() && self.stdin, "--stdin"),
+            ("--count", self.count.is_some() && self.screen.is_some(), "--screen"),
+            ("--start", self.start.is_some() && self.screen.is_some(), "--screen"),
         ];
         let unused = unused.into_iter().filter(|(_, unused, _)| *unused);
         unused.map(|(name, _, with)| format!("note: {name} has no effect with {with}")).collect()
@@ -169,7 +256,8 @@ fn accepted(long: &str) -> String {
     let values = known.map(|known| known.get_possible_values()).unwrap_or_default();
     let values: Vec<_> = values.iter().map(|value| value.get_name()).collect();
     match long {
-        "count" => COUNT.to_owned(),
+        "count" | "spp" => COUNT.to_owned(),
+        "screen" | "pixel" => BOTH.to_owned(),
         "start" | "seed" => INDEX.to_owned(),
         "exponent" => EXPONENT.to_owned(),
         "arithmetic" => AVAILABLE_ARITHMETICS.join(", "),

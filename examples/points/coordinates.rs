@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::arguments::Arguments;
 use hemidisc::catalogue::{SequenceVisitor, sequences};
-use hemidisc::sequence::Sequence;
+use hemidisc::sequence::{Sequence, Sobol, SobolOwen};
 use std::io::BufRead;
 use std::ops::RangeInclusive;
 
@@ -17,12 +17,32 @@ pub(crate) fn coordinates(arguments: &Arguments, consume: Consume) -> Result<(),
     if arguments.stdin {
         return consume(&mut read(std::io::stdin().lock())?.into_iter());
     }
+    if let Some((pixel, samples)) = arguments.pixel()? {
+        return consume(&mut (0..samples).map(|sample| pixel.sampler(sample).pair()));
+    }
     let name = arguments.sequence.as_deref().unwrap_or_default();
     let [start, count] = [arguments.start(), arguments.count()];
     let mut selected = Selected { name, start, count, consume, result: Ok(()) };
     sequences(count, arguments.seed(), &mut selected)
         .map_err(|error| Failure::Usage(format!("--count: {error}")))?;
     selected.result
+}
+
+/// The first four dimensions of the sequence that the arguments ask for.
+pub(crate) fn joint(
+    arguments: &Arguments,
+) -> Result<Box<dyn Iterator<Item = [[u32; 2]; 2]>>, Failure> {
+    if let Some((pixel, samples)) = arguments.pixel()? {
+        return Ok(Box::new((0..samples).map(move |sample| pixel.sampler(sample).joint())));
+    }
+    let range = indices(true, arguments.start(), arguments.count())?;
+    Ok(if arguments.sequence.as_deref() == Some("sobol") {
+        let sobol = Sobol::new(arguments.seed());
+        Box::new(range.map(move |index| sobol.joint(index)))
+    } else {
+        let scrambled = SobolOwen::new(arguments.seed());
+        Box::new(range.map(move |index| scrambled.joint(index)))
+    })
 }
 
 /// Runs through the sequence of a name.

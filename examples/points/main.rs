@@ -20,7 +20,7 @@ use examples::maps as names;
 use hemidisc::arithmetic::Arithmetic;
 use hemidisc::catalogue::{ArithmeticVisitor, MapVisitor, arithmetics, maps, power_maps};
 use hemidisc::{Invert, UnitSquare};
-use rows::{Mapped, Rejected, Table};
+use rows::{Mapped, Rejected, Table, print_joint};
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
@@ -60,6 +60,9 @@ fn tell(line: &str) {
 }
 
 fn print(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.is_joint()? {
+        return print_joint(arguments);
+    }
     let mut chosen = Chosen { arguments, result: None };
     arithmetics(&mut chosen);
     chosen.result.unwrap_or_else(|| Err(Failure::Usage(arguments.unknown_arithmetic())))

@@ -1,7 +1,7 @@
 //! The rows: coordinates through a map, printed as they come.
 
 use crate::arguments::Arguments;
-use crate::coordinates::coordinates;
+use crate::coordinates::{coordinates, joint};
 use crate::field::{Writer, writer};
 use crate::{Failure, tell};
 use examples::maps::SQUARE;
@@ -150,6 +150,24 @@ impl<'a, R: 'static> Table<'a, R> {
         }
         Ok(())
     }
+}
+
+/// Prints rows of four coordinates.
+pub(crate) fn print_joint(arguments: &Arguments) -> Result<(), Failure> {
+    let points = joint(arguments)?;
+    arguments.notes().iter().for_each(|note| tell(note));
+    let mut out = BufWriter::new(io::stdout().lock());
+    let print = || {
+        writeln!(out, "u,v,w,x")?;
+        for [first, second] in points {
+            cells(first, &mut out)?;
+            out.write_all(b",")?;
+            cells(second, &mut out)?;
+            out.write_all(b"\n")?;
+        }
+        out.flush()
+    };
+    print().map_err(Failure::Output)
 }
 
 /// Candidates drawn and points kept.

@@ -191,8 +191,7 @@ impl<A: Root> Assembly<'_, A> {
             sky: Sky { horizon: vector::<A>(sky.horizon.0), zenith: vector::<A>(sky.zenith.0) },
             spheres: &spheres(self.scene, &lobe)?,
             planes: &planes(self.scene, &lobe)?,
-            points: self.settings.sequence.points(self.settings.samples.into()),
-            seed: self.settings.seed,
+            source: self.settings.source()?,
         };
         (self.run)(&|from, samples, pixels| renderer.row(from, samples, pixels));
         Ok(())

@@ -4,7 +4,7 @@
 //! (`sums`). So the picture is the same for any number of threads, and for any regions that make up
 //! the frame.
 
-use crate::render::sequence::Sequence;
+use crate::render::sequence::{Drawn, Pixels, Sequence};
 use crate::render::sums::{MOST_PASSES, Sum};
 use hemidisc::arithmetic::Real;
 use rayon::prelude::*;
@@ -25,6 +25,7 @@ pub struct Settings {
     /// For each pixel.
     pub samples: u16,
     pub sequence: Sequence,
+    pub pixels: Pixels,
     pub seed: u32,
 }
 
@@ -39,6 +40,15 @@ impl Settings {
     /// How often each pixel is visited.
     pub fn passes(&self) -> u32 {
         u32::from(self.samples).div_ceil(PASS)
+    }
+
+    /// Where the numbers of samples come from.
+    ///
+    /// # Errors
+    /// For a picture without a pixel or a sample.
+    pub fn source(&self) -> Result<Drawn, String> {
+        let &Self { size, samples, sequence, pixels, seed } = self;
+        Drawn::new(sequence, pixels, seed, size, samples).map_err(|error| error.to_string())
     }
 
     /// All of the frame.

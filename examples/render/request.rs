@@ -5,7 +5,7 @@ use crate::render::assembly::{Render, renderer_of, renderers};
 use crate::render::effects::Effects;
 use crate::render::file;
 use crate::render::frame::Settings;
-use crate::render::sequence::Sequence;
+use crate::render::sequence::{Pixels, Sequence};
 use clap::Args;
 use hemidisc::catalogue::{ARITHMETICS, EFFECTS};
 use serde::{Deserialize, Serialize};
@@ -46,6 +46,11 @@ pub struct Request {
     #[arg(long, value_name = "NAME", default_value = "sobol-owen", value_parser = Sequence::from_str)]
     pub sequence: Sequence,
 
+    /// What the pixels share: nothing, or a sequence, so that their noise is blue
+    /// [default: screen for sobol-owen, pixel for the others, which have no other]
+    #[arg(long, value_name = "NAME", value_parser = Pixels::from_str)]
+    pub sampler: Option<Pixels>,
+
     /// Number type and its functions
     #[arg(long, value_name = "NAME", default_value = "libm-f32")]
     pub arithmetic: String,
@@ -73,12 +78,26 @@ impl Request {
             size: [self.width.into(), self.height.into()],
             samples: self.spp.get(),
             sequence: self.sequence,
+            pixels: self.sampler.unwrap_or(match self.sequence {
+                Sequence::SobolOwen => Pixels::Screen,
+                Sequence::Random | Sequence::MultiJittered => Pixels::Pixel,
+            }),
             seed: self.seed,
         }
     }
 
     /// The effects called for, which have to be among those of the scene.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] for others, and for a sampler that the sequence does not have.
     pub fn called_for(&self, of_scene: Effects) -> Result<Effects, Failure> {
+        if self.sampler == Some(Pixels::Screen) && self.sequence != Sequence::SobolOwen {
+            return Err(Failure::Usage(
+                "--sampler: \"screen\" given with another sequence; accepted: pixel, or \
+                 --sequence sobol-owen"
+                    .to_owned(),
+            ));
+        }
         let effects = self.effects.unwrap_or(of_scene);
         if let Some(missing) = effects.each().find(|effect| !of_scene.has(*effect)) {
             return Err(Failure::Usage(format!(
@@ -115,6 +134,7 @@ pub fn accepted(long: &str) -> Option<String> {
         "width" | "height" => format!("an integer 1..={LONGEST}"),
         "arithmetic" => renderers().map(|(name, _)| name).collect::<Vec<_>>().join(", "),
         "sequence" => Sequence::ALL.map(|(name, _)| name).join(", "),
+        "sampler" => Pixels::ALL.map(|(name, _)| name).join(", "),
         "seed" => "an integer 0..=4294967295".to_owned(),
         _ => return None,
     })

@@ -8,7 +8,7 @@ use examples::render::effects::{Effect, Effects};
 use examples::render::frame::{Frame, Settings};
 use examples::render::output::Output;
 use examples::render::picture::png;
-use examples::render::sequence::Sequence;
+use examples::render::sequence::{Pixels, Sequence};
 use examples::render::{file, sums};
 use examples::{Failure, refusal};
 use hemidisc::FastF32;
@@ -16,8 +16,13 @@ use hemidisc::arithmetic::Arithmetic;
 use std::path::PathBuf;
 
 const SCENES: [&str; 5] = ["lens", "soft-shadow", "occlusion", "glossy", "still-life"];
-const SETTINGS: Settings =
-    Settings { size: [300, 200], samples: 64, sequence: Sequence::SobolOwen, seed: 0 };
+const SETTINGS: Settings = Settings {
+    size: [300, 200],
+    samples: 64,
+    sequence: Sequence::SobolOwen,
+    pixels: Pixels::Screen,
+    seed: 0,
+};
 
 /// Writes pictures of several scenes without and with effects, and prints what they took
 #[derive(Parser)]

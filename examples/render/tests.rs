@@ -13,13 +13,18 @@ use examples::render::description::Scene;
 use examples::render::effects::{Effect, Effects};
 use examples::render::file;
 use examples::render::frame::{Frame, Row, Settings};
-use examples::render::sequence::Sequence;
+use examples::render::sequence::{Pixels, Sequence};
 use examples::render::sums::means;
 use hemidisc::arithmetic::{Real, Root};
 use testkit::arithmetics::{EachRoot, Tested, every_root};
 
-const SMALL: Settings =
-    Settings { size: [24, 16], samples: 4, sequence: Sequence::SobolOwen, seed: 5 };
+const SMALL: Settings = Settings {
+    size: [24, 16],
+    samples: 4,
+    sequence: Sequence::SobolOwen,
+    pixels: Pixels::Screen,
+    seed: 5,
+};
 
 fn scene(name: &str) -> Scene {
     let found = file::text(name).and_then(|(path, text)| file::scene(&path, &text));

@@ -47,7 +47,7 @@ use lobes::FastExponent;
 /// docs/accuracy.md has the bounds.
 ///
 /// ```
-/// use hemidisc::{Concentric, FastF32, Map};
+/// use hemidisc::{Concentric, FastF32};
 /// // At compile time as well.
 /// const POINT: [f32; 2] = FastF32::concentric([u32::MAX, 1 << 31]);
 /// assert_eq!(Concentric::<FastF32>::new().sample([u32::MAX, 1 << 31]), POINT);
@@ -204,6 +204,12 @@ impl Arithmetic for FastF32 {
     #[inline(always)]
     fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
         Self::lift_power(exponent, disc)
+    }
+
+    #[inline(always)]
+    fn power_with_density(exponent: FastExponent, disc: FastDisc) -> ([f32; 3], f32) {
+        let direction = Self::lift_power(exponent, disc);
+        (direction, exponent.density_of_sample(disc.one_minus_r2, direction))
     }
 
     #[inline(always)]

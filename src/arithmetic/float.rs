@@ -22,6 +22,10 @@
 //! theta by e = 1e8, so with q = -2 L / (e + 1), sin theta = sqrt(-expm1(-q)); where q nears the
 //! end of the type's range (e near 3e38) it is sqrt(2 / (e + 1)) sqrt(-L), whose factors do not
 //! underflow. L comes from r^2 where r^2 < 1/2, else from 1 - r^2.
+//!
+//! **Density of a sample.** z^e = z^(e + 1) / z = (1 - r^2) / z: one division where a given
+//! direction takes a logarithm and an exponential, and an error of a few eps and that of z where the
+//! rounding of a direction costs sqrt(e) eps.
 
 mod disc;
 mod disc_point;
@@ -150,6 +154,15 @@ impl<T: Float> Arithmetic for T {
     fn power(exponent: PowerExponent<T::Real>, disc: FloatDisc<T::Real>) -> [T::Real; 3] {
         power::lift::<T>(exponent, disc)
     }
+
+    #[inline]
+    fn power_with_density(
+        exponent: PowerExponent<T::Real>,
+        disc: FloatDisc<T::Real>,
+    ) -> ([T::Real; 3], T::Real) {
+        let direction = power::lift::<T>(exponent, disc);
+        (direction, exponent.density_of_sample::<T>(disc.one_minus_r2, direction))
+    }
 }
 
 impl<T: Float> Back for T {
@@ -225,5 +238,14 @@ impl<T: Float> Back for T {
     #[inline]
     fn power_density(exponent: PowerExponent<T::Real>, direction: [T::Real; 3]) -> T::Real {
         power::density::<T>(exponent, direction)
+    }
+
+    #[inline]
+    fn power_density_beside(
+        exponent: PowerExponent<T::Real>,
+        direction: [T::Real; 3],
+        other: [T::Real; 3],
+    ) -> T::Real {
+        power::density_beside::<T>(exponent, direction, other)
     }
 }

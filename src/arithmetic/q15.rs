@@ -26,7 +26,7 @@ impl Q15 {
     /// compile time.
     ///
     /// ```
-    /// use hemidisc::{Concentric, Map, Q15};
+    /// use hemidisc::{Concentric, Q15};
     /// static CENTRE: [Q15; 2] = Q15::concentric([1 << 31, 1 << 31]);
     /// assert_eq!(CENTRE, Concentric::<Q15>::new().sample([1 << 31, 1 << 31]));
     /// ```

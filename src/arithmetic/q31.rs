@@ -36,7 +36,7 @@ impl Q31 {
     /// compile time.
     ///
     /// ```
-    /// use hemidisc::{Concentric, Map, Q31};
+    /// use hemidisc::{Concentric, Q31};
     /// static CENTRE: [Q31; 2] = Q31::concentric([1 << 31, 1 << 31]);
     /// assert_eq!(CENTRE, Concentric::<Q31>::new().sample([1 << 31, 1 << 31]));
     /// ```

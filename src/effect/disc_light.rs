@@ -3,14 +3,17 @@
 //! A point of the disc, uniform over its area A, is seen from a receiver at a distance d and under
 //! the angle t to the disc's normal, which the receiver sees under s to its own. The point's
 //! density per steradian is d^2 / (A cos t), and irradiance is the mean of radiance A cos s cos
-//! t / d^2 where nothing is in the way. The weight is cos t / d^2: radiance A, the light's
-//! intensity along its axis, stays finite for a light of radius 0, which is a point.
+//! t / d^2 where nothing is in the way.
+//!
+//! A light is given by its radiance L or by its intensity along the axis, I = L A, which stays
+//! finite for a light of radius 0, a point. So there are two weights: A cos t / d^2, to be multiplied
+//! by L, and cos t / d^2, by I.
 
-use super::{along, capped, reciprocal};
+use super::{along, capped, positive, reciprocal};
 use crate::arithmetic::{Arithmetic, FastF32, Real, RealKernel, Root, length};
 use crate::error::Error;
 use crate::frame::{Frame, Unit};
-use crate::map::{Concentric, Map};
+use crate::map::Concentric;
 
 /// A disc-shaped light that shines to the side of its normal, or to both sides.
 ///
@@ -18,8 +21,15 @@ use crate::map::{Concentric, Map};
 /// use hemidisc::{Frame, LibmF32, effect::DiscLight};
 /// let down = Frame::new([0.0, -1.0, 0.0])?;
 /// let lamp = DiscLight::<LibmF32>::new([0.0, 3.0, 0.0], down, 0.5)?;
-/// let sample = lamp.sample([0.0, 1.0, 0.0], [1 << 31, 1 << 31]);
+/// let receiver = [0.0, 1.0, 0.0];
+/// let sample = lamp.sample(receiver, [1 << 31, 1 << 31]);
 /// assert!((sample.distance - 2.0).abs() < 1e-6 && (sample.weight - 0.25).abs() < 1e-6);
+/// // Of radiance 3, on a receiver that faces up.
+/// let irradiance = 3.0 * sample.radiance_weight * sample.direction[1];
+/// assert!((irradiance - 3.0 * lamp.area() / 4.0).abs() < 1e-6);
+/// // A ray of another strategy, such as a lobe's, meets the light at this point.
+/// let hit = lamp.hit(receiver, [0.1, 2.0, 0.0]).unwrap();
+/// assert!((hit.point[0] - 0.1).abs() < 1e-6 && lamp.hit(receiver, [1.0, 2.0, 0.0]).is_none());
 /// // Behind it there is no light.
 /// assert_eq!(lamp.sample([0.0, 4.0, 0.0], [1 << 31, 1 << 31]).weight, 0.0);
 /// # Ok::<(), hemidisc::Error>(())
@@ -31,6 +41,8 @@ pub struct DiscLight<A: Arithmetic> {
     frame: Frame<A::Real>,
     radius: A::Real,
     two_sided: bool,
+    /// pi r^2.
+    area: A::Real,
     /// The size of the centre, |x n_x| + |y n_y| + |z n_z|.
     offset: A::Real,
 }
@@ -55,6 +67,21 @@ pub struct LightSample<R> {
     /// thick as the rounding of a receiver's coordinates and of the centre's, half a step of each,
     /// and of the products by which its side is found.
     pub weight: R,
+    /// The light's area times [`weight`](Self::weight), 1 / density within rounding: times the
+    /// radiance and the receiver's cosine it is irradiance. 0 where `weight` is, and for a light
+    /// of radius 0, which has an intensity and no radiance; at most MAX.
+    pub radiance_weight: R,
+}
+
+/// Where a ray meets the disc.
+struct Hit<R> {
+    /// From the point to the centre.
+    to_centre: [R; 3],
+    /// Of the ray, of unit length.
+    direction: [R; 3],
+    distance: R,
+    /// cos t, above 0.
+    cosine: R,
 }
 
 impl<A: Arithmetic> DiscLight<A> {
@@ -98,7 +125,8 @@ impl DiscLight<FastF32> {
             Err(error) => return Err(error),
         };
         let offset = length::f32::size(centre, frame.unit().get());
-        Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false, offset })
+        let area = radius * radius / core::f32::consts::FRAC_1_PI;
+        Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false, area, offset })
     }
 }
 
@@ -115,7 +143,8 @@ impl<A: Root> DiscLight<A> {
     ) -> Result<Self, Error> {
         let centre = A::Real::checked_centre(centre, radius)?;
         let offset = A::Real::size(centre, frame.unit().get());
-        Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false, offset })
+        let area = radius * radius / A::Real::FRAC_1_PI;
+        Ok(Self { map: Concentric::new(), centre, frame, radius, two_sided: false, area, offset })
     }
 
     /// The same light, shining to both sides.
@@ -128,7 +157,7 @@ impl<A: Root> DiscLight<A> {
     #[must_use]
     #[inline]
     pub fn area(&self) -> A::Real {
-        self.radius * self.radius / A::Real::FRAC_1_PI
+        self.area
     }
 
     /// Whether all of its light comes from one point: its radius is 0, or so small that its area is.
@@ -165,31 +194,77 @@ impl<A: Root> DiscLight<A> {
         // The cosine comes from the distance to the plane: all points agree on the side, and none
         // is a rounding error.
         let weight = self.shining(self.height(receiver) / distance) / square;
-        let density =
-            if weight > A::Real::ZERO { reciprocal(self.area() * weight) } else { A::Real::ZERO };
-        LightSample { point, direction, distance, density, weight }
+        self.seen(point, direction, distance, weight)
     }
 
-    /// The density of a direction from a receiver, per steradian. A vector that is not of unit
-    /// length stands for its direction. The density is 0 where the direction misses the light. It is
-    /// also 0 for a light of radius 0, which only sampled directions hit.
+    /// A point of the light as a receiver sees it.
+    #[inline]
+    fn seen(
+        &self,
+        point: [A::Real; 3],
+        direction: [A::Real; 3],
+        distance: A::Real,
+        weight: A::Real,
+    ) -> LightSample<A::Real> {
+        let solid = self.area * weight;
+        let density = if weight > A::Real::ZERO { reciprocal(solid) } else { A::Real::ZERO };
+        let radiance_weight = capped(solid);
+        LightSample { point, direction, distance, density, weight, radiance_weight }
+    }
+
+    /// The point of the light that a ray from a receiver hits, with the distance, the density and
+    /// the weights that [`sample`](Self::sample) gives for that point, within rounding. A vector
+    /// that is not of unit length stands for its direction.
+    ///
+    /// `None` where the ray misses the light, arrives on a side that does not shine, or starts in
+    /// the light's plane, as thick as [`weight`](LightSample::weight) has it; where d^2 or
+    /// cos t / d^2 is no normal number; for a vector that is zero, infinite or not a number; and for
+    /// a light of radius 0, which no ray hits. Within rounding of the rim a sampled direction may
+    /// miss.
+    ///
+    /// It takes three divisions and no square root.
+    #[must_use]
+    #[inline]
+    pub fn hit(
+        &self,
+        receiver: [A::Real; 3],
+        direction: [A::Real; 3],
+    ) -> Option<LightSample<A::Real>> {
+        let Hit { to_centre, direction, distance, cosine } = self.met(receiver, direction)?;
+        let point = along(self.centre, -A::Real::ONE, to_centre);
+        Some(self.seen(point, direction, distance, cosine / (distance * distance)))
+    }
+
+    /// The density of a direction from a receiver, per steradian: that of [`hit`](Self::hit),
+    /// within rounding, and 0 where that is `None`. It takes two divisions.
     #[must_use]
     #[inline]
     pub fn density(&self, receiver: [A::Real; 3], direction: [A::Real; 3]) -> A::Real {
-        let Ok(direction) = Unit::normalized(direction).map(Unit::get) else {
-            return A::Real::ZERO;
-        };
+        match self.met(receiver, direction) {
+            Some(Hit { distance, cosine, .. }) => {
+                positive(distance * distance / (self.area * cosine))
+            }
+            None => A::Real::ZERO,
+        }
+    }
+
+    /// Where a ray from a receiver meets the disc.
+    #[inline]
+    fn met(&self, receiver: [A::Real; 3], direction: [A::Real; 3]) -> Option<Hit<A::Real>> {
+        let direction = Unit::normalized(direction).ok()?.get();
         let toward = -A::Real::dot(direction, self.frame.unit().get());
         let cosine = self.shining(toward);
         let distance = self.height(receiver) / toward;
         if !(cosine > A::Real::ZERO && distance > A::Real::ZERO) {
-            return A::Real::ZERO;
+            return None;
         }
         let to_centre = along(self.centre, -A::Real::ONE, receiver);
-        let from_centre = along(to_centre, -distance, direction);
-        let inside = A::Real::dot(from_centre, from_centre) < self.radius * self.radius;
-        let density = distance * distance / (self.area() * cosine);
-        if inside { capped(density) } else { A::Real::ZERO }
+        let to_centre = along(to_centre, -distance, direction);
+        let inside = A::Real::dot(to_centre, to_centre) < self.radius * self.radius;
+        let square = distance * distance;
+        // Both d^2 and cos t / d^2 are normal numbers.
+        let in_range = square >= A::Real::MIN_POSITIVE && cosine > square * A::Real::MIN_POSITIVE;
+        (inside && in_range).then_some(Hit { to_centre, direction, distance, cosine })
     }
 
     /// A receiver's height above the light's plane, on the side of the normal; 0 where rounding

@@ -109,7 +109,7 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
         match self.below {
             BelowHorizon::Flip => {
                 let flipped = in_surface(direction, height, normal);
-                density = capped(density + self.lobe.density(mirror.to_local(flipped)));
+                density = capped(density + self.density_beside(&mirror, flipped, local));
                 if height < A::Real::ZERO {
                     direction = flipped;
                 }
@@ -142,15 +142,34 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
         };
         let (normal, mirror) = mirrored(arriving, normal);
         let height = A::Real::dot(direction, normal);
-        let of = |direction| self.lobe.density(mirror.to_local(direction));
+        let local = mirror.to_local(direction);
         match self.below {
             // A flipped direction may have rounded to the other side again.
             BelowHorizon::Flip if height >= -(A::Real::EPSILON * A::Real::FOUR) => {
-                capped(of(direction) + of(in_surface(direction, height, normal)))
+                let flipped = in_surface(direction, height, normal);
+                let others = self.density_beside(&mirror, flipped, local);
+                capped(self.lobe.density(local) + others)
             }
-            BelowHorizon::Zero => of(direction),
-            BelowHorizon::Reject if height > A::Real::ZERO => of(direction),
+            BelowHorizon::Zero => self.lobe.density(local),
+            BelowHorizon::Reject if height > A::Real::ZERO => self.lobe.density(local),
             BelowHorizon::Reject | BelowHorizon::Flip => A::Real::ZERO,
+        }
+    }
+
+    /// The lobe's density of a direction's image in the surface, to be added to that of the
+    /// direction, `local` about the mirror direction. Most images are behind the lobe's horizon, or
+    /// so far from its axis that the sum would not show them: no power is taken of those.
+    #[inline]
+    fn density_beside(
+        &self,
+        mirror: &Frame<A::Real>,
+        image: [A::Real; 3],
+        local: [A::Real; 3],
+    ) -> A::Real {
+        if A::Real::dot(mirror.unit().get(), image) > A::Real::ZERO {
+            self.lobe.density_beside(mirror.to_local(image), local)
+        } else {
+            A::Real::ZERO
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::target::where_floats_round;
 /// floor(u N). A polygon with fewer than 3 corners does not compile.
 ///
 /// ```
-/// use hemidisc::{Density, LibmF32, Map, effect::Polygon};
+/// use hemidisc::{Density, LibmF32, effect::Polygon};
 /// // A hexagon with a corner up.
 /// let blades = Polygon::<LibmF32, 6>::new(1 << 30);
 /// let [x, y] = blades.sample([1 << 31, 1 << 30]);
@@ -201,8 +201,7 @@ impl<A: Arithmetic<Real: Real>, const N: usize> Default for Polygon<A, N> {
     }
 }
 
-#[cfg(feature = "rand")]
-crate::map::distribution!(
+crate::map::sampled!(
     [A: Arithmetic<Real: Real>, const N: usize]
     Polygon<A, N>, [A::Real; 2]
 );

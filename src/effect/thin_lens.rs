@@ -5,6 +5,10 @@
 //! In camera space, z ahead, that ray has the direction d = (d_x, d_y, 1); from the lens point
 //! (l_x, l_y) it is d - (l_x, l_y, 0) / f with the focal distance f. A lens of radius 0 gives d to
 //! the last bit.
+//!
+//! Camera space has the handedness of the caller's axes: nothing here depends on it. With x to the
+//! right and y up, z ahead makes it left-handed. With y down, as the rows of a picture count, it is
+//! right-handed, and [`Frame::look_to`](crate::Frame::look_to) is the way to the world.
 
 use super::{capped, reciprocal};
 use crate::arithmetic::{Real, length};
@@ -33,7 +37,8 @@ pub struct ThinLens<M, R> {
     nearness: R,
 }
 
-/// A ray from a lens, in camera space.
+/// A ray from a lens, in camera space: x and y are the caller's axes of the image plane, z is
+/// ahead. [`Frame::look_to`](crate::Frame::look_to) turns it to the world.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -48,6 +48,20 @@ impl<R: Real> Unit<R> {
     pub fn normalized(vector: [R; 3]) -> Result<Self, Error> {
         R::normalized(vector).map(Self)
     }
+
+    /// [`normalized`](Self::normalized) for an inner loop: the z axis for a vector that is zero,
+    /// infinite or not a number.
+    ///
+    /// ```
+    /// use hemidisc::Unit;
+    /// assert_eq!(Unit::normalized_or_z([0.0, -3.0, 0.0]).get(), [0.0, -1.0, 0.0]);
+    /// assert_eq!(Unit::normalized_or_z([0.0_f32; 3]).get(), [0.0, 0.0, 1.0]);
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn normalized_or_z(vector: [R; 3]) -> Self {
+        Self::normalized(vector).unwrap_or(Self([R::ZERO, R::ZERO, R::ONE]))
+    }
 }
 
 macro_rules! const_unit {

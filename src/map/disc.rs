@@ -54,7 +54,7 @@ pub type LoweredOf<A> = <<A as Arithmetic>::Back as Back>::Lowered;
 /// centre.
 ///
 /// ```
-/// use hemidisc::{LibmF32, Map, Polar};
+/// use hemidisc::{LibmF32, Polar};
 /// let [x, y] = Polar::<LibmF32>::new().sample([1 << 30, 1 << 30]);
 /// assert!(x.abs() < 1e-9 && (y - 0.5).abs() < 1e-7);
 /// ```
@@ -69,7 +69,7 @@ pub struct Polar<A>(PhantomData<A>);
 /// bit for bit.
 ///
 /// ```
-/// use hemidisc::{Concentric, LibmF32, Map};
+/// use hemidisc::{Concentric, LibmF32};
 /// let [x, y] = Concentric::<LibmF32>::new().sample([u32::MAX, 1 << 31]);
 /// assert!(x > 0.999 && y > 0.0 && y < 1e-9);
 /// ```
@@ -156,8 +156,7 @@ macro_rules! disc_map {
                 }
             }
 
-            #[cfg(feature = "rand")]
-    $crate::map::distribution!([A: Arithmetic] $map<A>, [A::Real; 2]);
+    $crate::map::sampled!([A: Arithmetic] $map<A>, [A::Real; 2]);
         };
     };
 }

@@ -13,7 +13,7 @@ for_each_lobe!(modules);
 
 use super::disc::{Concentric, DiscMap, LoweredOf};
 use super::{Density, Invert, Map, sealed::Sealed};
-use crate::arithmetic::{Arithmetic, FloatBack, KernelOf, Root, assert_rounds};
+use crate::arithmetic::{Arithmetic, Back, FloatBack, KernelOf, Root, assert_rounds};
 use crate::block::{Block, Lanes};
 use crate::error::Error;
 use crate::frame::{About, Frame};
@@ -44,6 +44,17 @@ pub trait Lobe: Copy + Sealed {
     /// The density of directions, per steradian; 0 below the horizon.
     #[doc(hidden)]
     fn density(&self, direction: Direction<Self::Arithmetic>) -> Slot<Self::Arithmetic>;
+
+    /// The direction above a point of the disc, and its density.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn lift_with_density(
+        &self,
+        disc: <Self::Arithmetic as Arithmetic>::Disc,
+    ) -> (Direction<Self::Arithmetic>, Slot<Self::Arithmetic>) {
+        let direction = self.lift(disc);
+        (direction, self.density(direction))
+    }
 }
 
 type Slot<A> = <A as Arithmetic>::Real;
@@ -64,8 +75,14 @@ pub type Cosine<A, D = Concentric<A>> = Hemisphere<CosineLobe<A>, D>;
 
 /// Cosine-power directions: density (e + 1) z^e / (2 pi) per steradian. `D` is the disc map below.
 ///
+/// [`sample_with_density`](Density::sample_with_density) forms the density of a sample in floats as
+/// (e + 1) / (2 pi) (1 - r^2) / z, from the 1 - r^2 of the coordinates: one division, and a few eps
+/// and the error of z from the exact density of the coordinates. [`density`](Density::density) of
+/// the same direction takes a logarithm and an exponential, and what the direction has lost by
+/// rounding counts sqrt(e) times: with e = 50 up to 83 eps. In fixed point the two are one.
+///
 /// ```
-/// use hemidisc::{FastF32, LibmF32, Map, Polar, Power};
+/// use hemidisc::{FastF32, LibmF32, Polar, Power};
 /// let lobe = Power::<LibmF32>::new(50.0)?;
 /// let [x, y, z] = lobe.sample([1 << 31, 1 << 30]);
 /// assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6);
@@ -206,6 +223,14 @@ impl<A: Arithmetic, D> Hemisphere<PowerLobe<A>, D> {
     }
 }
 
+impl<A: Arithmetic, D> Hemisphere<PowerLobe<A>, D> {
+    /// The density of a direction, to be added to that of another: 0 where it would not be seen.
+    #[inline]
+    pub(crate) fn density_beside(&self, direction: Direction<A>, other: Direction<A>) -> A::Real {
+        A::Back::power_density_beside(self.lobe.prepared().into(), direction, other)
+    }
+}
+
 impl<A: Root, D> Hemisphere<PowerLobe<A>, D> {
     /// The share of its directions above a plane, from the sine and the square of the cosine of
     /// its axis's elevation.
@@ -236,6 +261,11 @@ impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Density for Hemisphere<L, 
         assert_rounds::<L::Arithmetic>();
         self.lobe.density(direction)
     }
+
+    #[inline(always)]
+    fn sample_with_density(&self, uv: [u32; 2]) -> (Self::Point, Slot<L::Arithmetic>) {
+        self.lobe.lift_with_density(D::disc(uv))
+    }
 }
 
 impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Invert for Hemisphere<L, D> {
@@ -245,15 +275,17 @@ impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Invert for Hemisphere<L, D
     }
 }
 
-#[cfg(feature = "rand")]
-super::distribution!(
+super::sampled!(
     [L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>]
     Hemisphere<L, D>, Direction<L::Arithmetic>
 );
 
 /// A lobe whose kernels are the arithmetic's functions of the same names.
 macro_rules! lobe {
-    ($lobe:ident, $lift:ident, $block:ident, $lower:ident, $density:ident $(, $parameter:tt)?) => {
+    (
+        $lobe:ident, $lift:ident, $block:ident, $lower:ident, $density:ident
+        $(, $parameter:tt, $with_density:ident)?
+    ) => {
         const _: () = {
             use $crate::arithmetic::{Arithmetic, Back, KernelOf};
             use $crate::block::{Block, Lanes};
@@ -288,6 +320,13 @@ macro_rules! lobe {
                 fn density(&self, direction: [A::Real; 3]) -> A::Real {
                     A::Back::$density($(self.$parameter.into(),)? direction)
                 }
+
+                $(
+                    #[inline(always)]
+                    fn lift_with_density(&self, disc: A::Disc) -> ([A::Real; 3], A::Real) {
+                        A::$with_density(self.$parameter, disc)
+                    }
+                )?
             }
         };
     };

@@ -42,5 +42,4 @@ impl<A: Arithmetic> Invert for UnitSquare<A> {
     }
 }
 
-#[cfg(feature = "rand")]
-super::distribution!([A: Arithmetic] UnitSquare<A>, [A::Real; 2]);
+super::sampled!([A: Arithmetic] UnitSquare<A>, [A::Real; 2]);

@@ -58,12 +58,12 @@ impl Correlated {
     /// The set on a grid.
     pub(crate) const fn on(grid: Grid, seed: u32) -> Self {
         Self {
-        grid,
-        fine: Strata::new(grid.size()),
-        order: key(seed, *b"coro"),
-        columns: key(seed, *b"corc"),
-        rows: key(seed, *b"corw"),
-        jitter: Jitter::new(seed, *b"corr"),
+            grid,
+            fine: Strata::new(grid.size()),
+            order: key(seed, *b"coro"),
+            columns: key(seed, *b"corc"),
+            rows: key(seed, *b"corw"),
+            jitter: Jitter::new(seed, *b"corr"),
         }
     }
 

@@ -45,10 +45,10 @@ impl Jittered {
     /// The set on a grid.
     pub(crate) const fn on(grid: Grid, seed: u32) -> Self {
         Self {
-        grid,
-        columns: Strata::new(grid.columns()),
-        rows: Strata::new(grid.rows()),
-        jitter: Jitter::new(seed, *b"jitt"),
+            grid,
+            columns: Strata::new(grid.columns()),
+            rows: Strata::new(grid.rows()),
+            jitter: Jitter::new(seed, *b"jitt"),
         }
     }
 

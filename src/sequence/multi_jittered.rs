@@ -56,11 +56,11 @@ impl MultiJittered {
     /// The set on a grid.
     pub(crate) const fn on(grid: Grid, seed: u32) -> Self {
         Self {
-        grid,
-        fine: Strata::new(grid.size()),
-        in_columns: key(seed, *b"mulc"),
-        in_rows: key(seed, *b"mulr"),
-        jitter: Jitter::new(seed, *b"mult"),
+            grid,
+            fine: Strata::new(grid.size()),
+            in_columns: key(seed, *b"mulc"),
+            in_rows: key(seed, *b"mulr"),
+            jitter: Jitter::new(seed, *b"mult"),
         }
     }
 

@@ -5,7 +5,7 @@ use rand_core::Rng;
 /// Endless uniform points drawn from a generator: two `u32` words each, u first.
 ///
 /// ```
-/// use hemidisc::{Concentric, LibmF32, Map, sequence::FromRng};
+/// use hemidisc::{Concentric, LibmF32, sequence::FromRng};
 /// use rand::{SeedableRng, rngs::SmallRng};
 /// let map = Concentric::<LibmF32>::new();
 /// let mut rng = SmallRng::seed_from_u64(7);

@@ -6,9 +6,9 @@
 
 use super::Sequence;
 use super::walk::{Walk, walks};
-use crate::bits::hash::{mix, shift};
 #[cfg(any(feature = "serde", feature = "defmt"))]
 use crate::bits::hash::unmix;
+use crate::bits::hash::{mix, shift};
 use crate::bits::sobol::higher_dimensions;
 use crate::block::{BLOCK, Block};
 
@@ -59,7 +59,7 @@ impl Sobol {
     ///
     /// ```
     /// use hemidisc::sequence::Sobol;
-    /// assert_eq!(Sobol::new(0).joint(2)[1], [0x4000_0000, 0xc000_0000]);
+    /// assert_eq!(Sobol::new(0).joint(2)[1], [0xc000_0000, 0xc000_0000]);
     /// ```
     #[must_use]
     #[inline]

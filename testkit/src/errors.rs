@@ -77,6 +77,9 @@ pub struct Errors {
     pub density: f64,
     /// (error - first) / sqrt e, for the contract's first.
     pub density_slope: f64,
+    /// Of the density that comes with the sample; and (error - first) / |ln z|.
+    pub sampled: f64,
+    pub sampled_slope: f64,
     pub round_trip: f64,
 }
 
@@ -156,25 +159,39 @@ impl Errors {
         reference: Reference,
         contract: &Contract,
     ) -> Self {
-        let point = map.sample(uv);
+        let (point, with_sample) = map.sample_with_density(uv);
+        let bits = |point| exact::<A::Real, D>(point).map(f64::to_bits);
+        assert_eq!(bits(point), bits(map.sample(uv)), "{uv:08x?}: two points");
         let [here, there] = [point, map.sample(map.invert(point))].map(exact);
         let apart = here.iter().zip(there).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
         let exactly = reference.density;
-        let found = map.density(point).exact();
-        let density = if contract.relative {
-            ((found - exactly.hi - exactly.lo) / exactly.hi).abs()
-        } else {
-            let error = (found - exactly.hi / peak(contract.map, e)).abs();
-            let z = reference.z.map_or(1.0, |z| z.hi);
+        let z = reference.z.map_or(1.0, |z| z.hi);
+        let [density, sampled] = [map.density(point), with_sample].map(|found| {
+            let found = found.exact();
+            let error = if contract.relative {
+                ((found - exactly.hi - exactly.lo) / exactly.hi).abs()
+            } else {
+                let error = (found - exactly.hi / peak(contract.map, e)).abs();
+                let explained = explained(contract, e, z);
+                // NaN propagates.
+                if error <= explained { 0.0 } else { error - explained }
+            };
+            error / contract.unit
+        });
+        let over = |error: f64, first: f64, by: f64| {
             // NaN propagates.
-            if error <= explained(contract, e, z) { 0.0 } else { error - explained(contract, e, z) }
+            if error <= first { 0.0 } else { (error - first) / by }
         };
-        let density = density / contract.unit;
         let [first, slope] = contract.density;
-        let over = (density - first).max(0.0);
+        let sampled_by = if contract.relative { z.ln().abs() } else { e.sqrt() };
+        // Only where the slope counts little is the error the first part's.
+        let near = if contract.relative { 0.25 } else { 1.0 };
+        let sampled_counts = contract.sampled[1] == 0.0 || sampled_by <= near;
         Self {
             density: if slope == 0.0 || e <= 1.0 { density } else { 0.0 },
-            density_slope: if over > 0.0 { over / e.sqrt() } else { 0.0 },
+            density_slope: over(density, first, e.sqrt()),
+            sampled: if sampled_counts { sampled } else { 0.0 },
+            sampled_slope: over(sampled, contract.sampled[0], sampled_by),
             round_trip: apart / contract.unit,
             ..Self::of(here, reference, contract)
         }
@@ -194,6 +211,8 @@ impl Errors {
         larger(&mut self.z, other.z);
         larger(&mut self.density, other.density);
         larger(&mut self.density_slope, other.density_slope);
+        larger(&mut self.sampled, other.sampled);
+        larger(&mut self.sampled_slope, other.sampled_slope);
         larger(&mut self.round_trip, other.round_trip);
     }
 
@@ -209,6 +228,7 @@ impl Errors {
         if theta {
             check("theta", self.theta, c.theta);
             check("slope of density", self.density_slope, c.density[1]);
+            check("slope of the sample's density", self.sampled_slope, c.sampled[1]);
             check("round trip", self.round_trip, c.round_trip);
         }
         if z {
@@ -233,6 +253,8 @@ impl Errors {
         check("slope of z", self.z_slope, contract.z[1]);
         check("density", self.density, contract.density[0]);
         check("slope of density", self.density_slope, contract.density[1]);
+        check("sample's density", self.sampled, contract.sampled[0]);
+        check("slope of the sample's density", self.sampled_slope, contract.sampled[1]);
         check("round trip", self.round_trip, contract.round_trip);
     }
 }

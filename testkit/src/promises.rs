@@ -103,6 +103,11 @@ impl<A: Tested> EachMap<A> for Promises {
         if e < 0.0 {
             exact = exact.with_z_from(A::Real::SMALLEST);
         }
+        let (point, with_sample) = map.sample_with_density(self.uv);
+        // A z that is not the coordinates' has a density of its own.
+        if e < 0.0 && point[D - 1].exact() == A::Real::SMALLEST {
+            assert_eq!(with_sample.exact(), map.density(point).exact(), "{} {kind} {e:e}", A::NAME);
+        }
         let errors = Errors::at::<A, _>(&map, self.uv, e, exact, &contract);
         let name = A::NAME;
         let label = format_args!("{name} {kind}/{disc} e = {e:e} at {:08x?}", self.uv);

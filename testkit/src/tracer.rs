@@ -30,5 +30,5 @@ pub use effects::{
 };
 pub use geometry::{Checker, Finish, Hit, Material, Plane, Sphere};
 pub use renderer::{Renderer, Sky};
-pub use sample::{Counts, Owen, Points, Tally};
+pub use sample::{Counts, Source, Tally};
 pub use vector::Vector;

@@ -11,8 +11,7 @@ use hemidisc::arithmetic::FixedExponent;
 use hemidisc::invariant::Exact;
 use hemidisc::sequence::Random;
 use hemidisc::{
-    Concentric, Cosine, Density, Invert, Map, Polar, Power, Q31, Uniform, UnitSquare,
-    disc::Rejection,
+    Concentric, Cosine, Density, Invert, Polar, Power, Q31, Uniform, UnitSquare, disc::Rejection,
 };
 use testkit::contract::contract;
 use testkit::errors::{EachMap, Errors, each_power_map, hard_coordinates};

@@ -1,9 +1,12 @@
 //! Glossy reflection.
 
+mod flip;
+
 use super::{COUNT, Float, assert_near, dot, each_float, even_mean, wide};
+use flip::a_flipped_density_is_a_sum;
 use hemidisc::effect::{BelowHorizon, Glossy};
 use hemidisc::sequence::SobolOwen;
-use hemidisc::{Error, LibmF64, Map, Uniform, Unit};
+use hemidisc::{Error, LibmF64, Uniform, Unit};
 use std::f64::consts::TAU;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
@@ -259,5 +262,5 @@ each_float!(
     the_mean_cosine_is_that_of_the_lobe energy_is_accounted_for a_very_sharp_lobe_is_a_mirror
     both_sides_reflect a_sample_is_of_unit_length_and_has_its_density
     the_length_of_a_direction_does_not_count densities_integrate_to_what_is_sampled the_share_that_is_kept_is_students
-    a_bad_exponent_is_refused
+    a_bad_exponent_is_refused a_flipped_density_is_a_sum
 );

@@ -1,10 +1,16 @@
 //! The disc light.
 
+mod hit;
+
 use super::{Float, assert_near, dot, each_float, even_mean, mean, wide};
 use hemidisc::arithmetic::Real;
 use hemidisc::effect::DiscLight;
 use hemidisc::sequence::{Random, SobolOwen};
-use hemidisc::{Error, Frame, LibmF64, Map, Uniform};
+use hemidisc::{Error, Frame, LibmF64, Uniform};
+use hit::{
+    a_radiance_is_weighed_by_the_area, a_sampled_direction_hits_its_point,
+    no_ray_hits_where_no_light_arrives, weights_are_of_one_point,
+};
 use std::f64::consts::{PI, TAU};
 
 /// A light of a radius at (0, 0, height) that shines down.
@@ -255,4 +261,6 @@ each_float!(
     nearness_has_an_end a_point_light_is_exact the_largest_light_is_finite
     a_plane_is_as_thick_as_coordinates_round far_from_the_origin_a_step_counts
     the_length_of_a_direction_does_not_count a_bad_radius_is_refused a_bad_centre_is_refused
+    a_sampled_direction_hits_its_point no_ray_hits_where_no_light_arrives
+    a_radiance_is_weighed_by_the_area weights_are_of_one_point
 );

@@ -1,7 +1,7 @@
 //! Effects, frames and lobes in a `static`: the bits of `new`, and its errors.
 
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
-use hemidisc::{Concentric, Error, FastF32, Frame, Map, Polar, Power, Unit};
+use hemidisc::{Concentric, Error, FastF32, Frame, Polar, Power, Unit};
 #[cfg(feature = "fixed-point")]
 use hemidisc::{Q15, Q15Div, Q31, arithmetic::FixedExponent};
 

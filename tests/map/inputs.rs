@@ -6,7 +6,7 @@
 
 use hemidisc::arithmetic::Float;
 use hemidisc::invariant::{self, Exact, in_unit_disc};
-use hemidisc::{Concentric, Cosine, Density, Invert, LibmF32, Map, Polar, Power, Uniform};
+use hemidisc::{Concentric, Cosine, Density, Invert, LibmF32, Polar, Power, Uniform};
 use proptest::prelude::*;
 use testkit::arithmetics::{Tested, every_arithmetic};
 use testkit::promises::{AtSample, Total};

@@ -37,6 +37,38 @@ fn sobol_is_that_of_scipy() {
     }
 }
 
+#[test]
+fn four_dimensions_are_those_of_scipy() {
+    for row in rows("sobol_4d.csv", "index,u_hex,v_hex,w_hex,x_hex", 16) {
+        let point = Sobol::new(0).joint(row[0] as u32).concat();
+        let expected = row[1..].iter().map(|cell| *cell as u32);
+        assert!(point.into_iter().eq(expected), "point {}", row[0]);
+    }
+}
+
+/// Dimensions 2 and 3 are those of `sobol_burley`, whose indices have 16 bits, and the scrambled
+/// ones are theirs with keys of their own.
+#[test]
+fn four_dimensions_are_made_of_the_same_parts() {
+    for index in (0..2000).chain((0..2000).map(|i| mix(i) >> 16)) {
+        let [_, second] = Sobol::new(0).joint(index);
+        let expected =
+            [2, 3].map(|dimension| sobol_rev(index.reverse_bits(), dimension).reverse_bits());
+        assert_eq!(second, expected, "point {index}");
+        for seed in 0..5 {
+            let [order, u, _] = keys(seed);
+            let shuffled = owen_scramble_rev(index.reverse_bits(), order).reverse_bits();
+            let [_, [w, x]] = Sobol::new(0).joint(shuffled);
+            let second_keys = finish(u64::from(order) << 32 | u64::from(u));
+            let expected = [(w, second_keys as u32), (x, (second_keys >> 32) as u32)]
+                .map(|(cell, key)| owen_scramble_rev(cell.reverse_bits(), key).reverse_bits());
+            let [first, second] = SobolOwen::new(seed).joint(index);
+            assert_eq!(second, expected, "point {index}, seed {seed}");
+            assert_eq!(first, SobolOwen::new(seed).at(index));
+        }
+    }
+}
+
 /// A coordinate is ceil(2^32 x) of the exact x.
 #[test]
 fn halton_is_that_of_scipy() {

@@ -14,8 +14,13 @@ use std::path::Path;
 use tokens::{Token, tokens};
 
 /// The root files of the crates without a circle.
-const ROOTS: &[&str] =
-    &["benches/accuracy/main.rs", "benches/throughput/main.rs", "firmware/runner/src/main.rs"];
+const ROOTS: &[&str] = &[
+    "benches/src/lib.rs",
+    "benches/accuracy/main.rs",
+    "benches/one/main.rs",
+    "benches/throughput/main.rs",
+    "firmware/runner/src/main.rs",
+];
 
 /// The `.rs` files of the repository.
 fn repository() -> Files {

@@ -19,7 +19,7 @@ fn pattern([x, y]: [u32; 2], samples: Range<u32>, sums: &mut [[f32; 3]]) {
 fn passes_come_to_the_picture_rendered_at_once() -> Result<(), Broken> {
     let objects = Objects::new().unwrap();
     for size in [[160, 128], [101, 53]] {
-        let scene = objects.still_life(size).unwrap();
+        let scene = objects.still_life(size, 3).unwrap();
         let [width, height] = size;
         let mut whole = Vec::new();
         for y in 0..height {

@@ -8,7 +8,7 @@ use crate::panels::{about_the_disc, axes, border, ground, points};
 use crate::sets::Set;
 use crate::statistics::minimum_distance;
 use examples::gallery::canvas::{Align, Drawn, Frame, INK, NOTE, Sheet, plate};
-use hemidisc::{LibmF64, Map, Power};
+use hemidisc::{LibmF64, Power};
 use std::error::Error;
 
 const WIDTH: f64 = 280.0;

@@ -51,6 +51,12 @@ fn bad_arguments_are_refused_on_one_line() {
         ("--scene lens --seed -1", "--seed: \"-1\"", "accepted: an integer 0..=4294967295"),
         ("--scene lens --report xml", "--report: \"xml\" is not known", "accepted: json"),
         ("--scene lens --sequence sobol", "--sequence: \"sobol\"", "accepted: sobol-owen, random"),
+        ("--scene lens --sampler both", "--sampler: \"both\"", "accepted: pixel, screen"),
+        (
+            "--scene lens --sequence random --sampler screen",
+            "--sampler: \"screen\" given with another sequence",
+            "accepted: pixel",
+        ),
         ("--scene lens --scene lens", "--scene: given more than once", "accepted: once"),
         ("--scene lens --size 4", "\"--size\": unknown argument", "accepted: --scene, --effects"),
     ];

@@ -4,7 +4,7 @@ use super::scene;
 use examples::render::assembly::with_rows;
 use examples::render::description::Scene;
 use examples::render::frame::Settings;
-use examples::render::sequence::Sequence;
+use examples::render::sequence::{Pixels, Sequence};
 use hemidisc::FastF32;
 
 const SIZE: [u32; 2] = [480, 320];
@@ -35,7 +35,9 @@ fn means(scene: &Scene, settings: &Settings) -> Vec<f64> {
 /// The variance of a pixel's component over seeds, in the mean over the picture.
 fn variance(scene: &Scene, sequence: Sequence, samples: u16) -> f64 {
     let pictures: Vec<_> = (0..SEEDS)
-        .map(|seed| means(scene, &Settings { size: SIZE, samples, sequence, seed }))
+        .map(|seed| {
+            means(scene, &Settings { size: SIZE, samples, sequence, pixels: Pixels::Pixel, seed })
+        })
         .collect();
     let seeds = f64::from(SEEDS);
     let components = pictures[0].len();

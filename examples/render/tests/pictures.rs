@@ -12,9 +12,13 @@ use hemidisc::LibmF32;
 use testkit::tracer::Counts;
 
 /// Calls a function with the rows of the still life.
-fn with_still_life(mut run: impl FnMut(&Row<'_, f32>)) {
+fn with_still_life(run: impl FnMut(&Row<'_, f32>)) {
+    with_still_life_of(&SMALL, run);
+}
+
+fn with_still_life_of(settings: &Settings, mut run: impl FnMut(&Row<'_, f32>)) {
     let scene = scene("still-life");
-    with_rows::<LibmF32>(&scene, scene.effects(), &SMALL, &mut run).unwrap();
+    with_rows::<LibmF32>(&scene, scene.effects(), settings, &mut run).unwrap();
 }
 
 #[test]
@@ -46,7 +50,7 @@ fn a_frame_is_the_rounded_passes_of_its_rows() {
     let scene = scene("still-life");
     let frame = rendered("libm-f32", &scene, scene.effects(), &settings);
     let mut expected = Vec::new();
-    with_still_life(|row| {
+    with_still_life_of(&settings, |row| {
         for y in 0..settings.size[1] {
             let passes = [0..8, 8..16, 16..20].map(|samples| {
                 let mut pass = [[0.0; 3]; 24];

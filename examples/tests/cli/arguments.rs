@@ -57,6 +57,9 @@ fn names_are_kept() {
 const COUNT: &str = "an integer 1..=4294967295";
 const INDEX: &str = "an integer 0..=4294967295";
 const EXPONENT: &str = "a finite number above -1\n";
+const BOTH: &str = "two integers 0..=4294967295, as in 640,480";
+const JOINT: &str = "4 with --sequence sobol or sobol-owen and --map square, without --density \
+                     and --invert\n";
 const FIXED_EXPONENT: &str = "accepted in fixed point: 0 <= e < 4294967296\n";
 
 /// The arithmetics of this build, as errors list them.
@@ -64,7 +67,7 @@ fn arithmetics() -> String {
     AVAILABLE_ARITHMETICS.join(", ") + "\n"
 }
 const ALL: &str = "--sequence, --count, --start, --seed, --map, --disc, --exponent, --arithmetic, \
-                   --stdin, --density, --invert, --raw";
+                   --dimensions, --screen, --spp, --pixel, --stdin, --density, --invert, --raw";
 
 #[test]
 fn bad_arguments_are_refused_on_one_line() {
@@ -104,6 +107,28 @@ fn bad_arguments_are_refused_on_one_line() {
         ("--sequence r2 --count 4 --map square --colour red", "\"--colour\"", ALL),
         ("--sequence r2 --count 4 --map square -x", "\"-x\"", ALL),
         ("--sequence r2 --count 4 --map square more", "\"more\"", ALL),
+        ("--sequence sobol --count 4 --map square --dimensions 3", "--dimensions", "2, 4\n"),
+        ("--sequence r2 --count 4 --map square --dimensions 4", "--dimensions", JOINT),
+        ("--sequence sobol --count 4 --map disc-polar --dimensions 4", "--dimensions", JOINT),
+        ("--sequence sobol --count 4 --map square --dimensions 4 --density", "--dimensions", JOINT),
+        ("--sequence sobol-owen --map square --screen 64,48 --spp 4", "--pixel", BOTH),
+        ("--sequence sobol-owen --map square --screen 64 --spp 4 --pixel 1,2", "--screen", BOTH),
+        ("--sequence sobol-owen --map square --screen 64,48 --spp 0 --pixel 1,2", "--spp", COUNT),
+        (
+            "--sequence sobol-owen --map square --screen 64,48 --spp 4 --pixel 64,2",
+            "--pixel",
+            "x below 64 and y below 48\n",
+        ),
+        (
+            "--sequence sobol-owen --map square --screen 0,48 --spp 4 --pixel 64,2",
+            "--screen",
+            "at least 1 x 1\n",
+        ),
+        (
+            "--sequence r2 --map square --screen 64,48 --spp 4 --pixel 1,2",
+            "--screen",
+            "--sequence sobol-owen\n",
+        ),
         ("--sequence r2 --count 4 --map square -- --raw", "\"--raw\"", ALL),
     ];
     for (arguments, argument, accepted) in cases {

@@ -1,7 +1,10 @@
 //! Which coordinates are printed: references, formulas, ranges, seeds and standard input.
 
-use super::{hexes, leave_after, pair, points_of, run, same, square};
+use super::{hex, hexes, leave_after, pair, points, points_of, run, same, square};
 use hemidisc::catalogue::SEQUENCES;
+use hemidisc::screen::Pixel;
+use hemidisc::sequence::{Sobol, SobolOwen};
+use hemidisc::{Domain, Screen};
 
 macro_rules! takes {
     ($($file:ident $sequence:ident $name:literal $kind:ident $new:ident($($part:ident),*);)*) => {
@@ -263,4 +266,39 @@ fn a_bad_line_is_named_with_its_number() {
     }
     // A header further down is not one.
     assert_eq!(run(&["--stdin", "--map", "square"], b"0x1,0x2\nu,v\n").status, 2);
+}
+
+/// A screen's pixel has the points of its sampler, through any map.
+#[test]
+fn a_pixel_of_a_screen_has_its_points() {
+    let screen = Screen::new(Domain::new(7), [64, 48], 5).unwrap();
+    let expected = |pixel: Pixel| (0..5).map(move |i| pixel.sampler(i).pair());
+    for (x, y) in [(0, 0), (3, 5), (63, 47)] {
+        let arguments =
+            format!("--sequence sobol-owen --seed 7 --screen 64,48 --spp 5 --pixel {x},{y}");
+        let pixel = screen.pixel(x, y).unwrap();
+        assert_eq!(square(&arguments), hexes(expected(pixel)));
+        let (header, rows) = points(&format!("{arguments} --map disc-concentric --raw")).quiet();
+        assert_eq!((header.as_str(), rows.len()), ("x,y", 5));
+    }
+}
+
+/// Four columns: the first two are the sequence's, scrambled or not, of a pixel too.
+#[test]
+fn four_dimensions_are_four_columns() {
+    let joint = |pairs: [[u32; 2]; 2]| pairs.map(|pair| hex(&pair)).join(",");
+    let four = |arguments: &str| {
+        let (header, rows) = points(&format!("{arguments} --dimensions 4 --map square")).quiet();
+        assert_eq!(header, "u,v,w,x");
+        rows
+    };
+    for seed in [0, 9] {
+        let rows = four(&format!("--sequence sobol --count 40 --start 3 --seed {seed}"));
+        assert!(rows.into_iter().eq((3..43).map(|i| joint(Sobol::new(seed).joint(i)))));
+        let rows = four(&format!("--sequence sobol-owen --count 40 --seed {seed}"));
+        assert!(rows.into_iter().eq((0..40).map(|i| joint(SobolOwen::new(seed).joint(i)))));
+    }
+    let pixel = Screen::new(Domain::new(0), [9, 9], 8).unwrap().pixel(1, 2).unwrap();
+    let rows = four("--sequence sobol-owen --screen 9,9 --spp 8 --pixel 1,2");
+    assert!(rows.into_iter().eq((0..8).map(|i| joint(pixel.sampler(i).joint()))));
 }

@@ -10,7 +10,7 @@
 //! | `fused/SEQUENCE/MAP/DISC/ARITHMETIC` | points of a sequence |
 //! | `turned/MAP/DISC/ARITHMETIC` | directions about a frame, of stored coordinates |
 //! | `components/MAP/DISC/ARITHMETIC` | points of stored coordinates, a buffer for each component |
-//! | `sequence/NAME` | coordinates |
+//! | `sequence/NAME` | coordinates of a sequence, or of as many domains |
 //! | `effect/EFFECT/ARITHMETIC` | samples of an effect, of stored coordinates |
 //! | `render/SCENE/ARITHMETIC` | pixels of a scene |
 //! | `exponent/ARITHMETIC` | no fill: what prepares an exponent, once, before a power lobe is filled |

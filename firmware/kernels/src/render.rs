@@ -6,7 +6,7 @@ use core::hint::black_box;
 use hemidisc::arithmetic::Root;
 use testkit::golden::bare;
 use testkit::golden::render::{self as scenes, Visitor as SceneVisitor};
-use testkit::tracer::{Ambient, Lens, Light, Points, Reflection, Renderer};
+use testkit::tracer::{Ambient, Lens, Light, Reflection, Renderer, Source};
 
 /// Takes four rows of 64 pixels, across sky, balls and table.
 struct Rows<'a>(&'a mut [[f32; 3]]);
@@ -24,7 +24,7 @@ impl<A: Root<Real = f32>> SceneVisitor<A> for Rows<'_> {
     fn scene<L: Lens<A>, S: Light<A>, O: Ambient<A>, G: Reflection<A>>(
         &mut self,
         _: &'static str,
-        scene: Renderer<'_, A, L, S, O, G, impl Points>,
+        scene: Renderer<'_, A, L, S, O, G, impl Source>,
     ) {
         self.each(|y, row| {
             scene.row([0, y], 0..1, row);

@@ -1,5 +1,6 @@
 //! The lobes of fast f32: the power lobe and its exponent, and all three over a block of points.
 
+use super::back::Functions;
 use super::disc::{FastDisc, in_octant, less_gaps, root_to_1, to_places};
 use super::functions::{exp, ln_complement, normal_sqrt, sqrt};
 use crate::arithmetic::DiscKernel;
@@ -46,6 +47,12 @@ impl FastExponent {
     #[inline(always)]
     pub(super) const fn distance(self, square: f32) -> f32 {
         root_to_1(square) * self.shrink
+    }
+
+    /// The density of a sample of the lobe, from the 1 - r^2 that it was lifted from.
+    #[inline(always)]
+    pub(super) fn density_of_sample(self, one_minus_r2: f32, direction: [f32; 3]) -> f32 {
+        self.exact.density_of_sample::<Functions>(one_minus_r2, direction)
     }
 
     /// The exponent as the user gave it.

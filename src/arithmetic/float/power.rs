@@ -35,6 +35,31 @@ impl<R: Real> PowerExponent<R> {
         self.e_plus_1
     }
 
+    /// (e + 1) / (2 pi): the density at the pole.
+    #[inline]
+    fn peak(self) -> R {
+        self.e_plus_1 * (R::FRAC_1_PI * R::HALF)
+    }
+
+    /// The density of a sample of the lobe, from the 1 - r^2 that it was lifted from.
+    ///
+    /// It is a normal number: 1 - r^2 is at least 2^-33. Below e = 0 it is at most 1 / (2 pi z),
+    /// else at most the peak.
+    #[inline]
+    pub(in crate::arithmetic) fn density_of_sample<T: Float<Real = R>>(
+        self,
+        one_minus_r2: R,
+        direction: [R; 3],
+    ) -> R {
+        let [_, _, z] = direction;
+        if z > R::MIN_POSITIVE {
+            self.peak() * (one_minus_r2 / z)
+        } else {
+            // The exact z, which 1 - r^2 is a power of, is below the smallest that is given.
+            density::<T>(self, direction)
+        }
+    }
+
     /// The exponent as the user gave it.
     pub fn value(self) -> R {
         self.e
@@ -108,7 +133,27 @@ pub(super) fn density<T: Float>(
     // e ln z = e / (e + 1) ln(1 - r^2), which stays moderate for any e: at most -ln MIN_POSITIVE
     // for e < 0, so the density does not overflow.
     let log = exponent.e / exponent.e_plus_1 * log_one_minus_r2::<T>(exponent, direction);
-    exponent.e_plus_1 * (T::Real::FRAC_1_PI * T::Real::HALF) * T::exp(log)
+    exponent.peak() * T::exp(log)
+}
+
+/// The density of a direction, to be added to that of another one: 0 where the sum would round to
+/// the other's.
+///
+/// With s^2 = x^2 + y^2 the ratio of the two is (1 - (s^2 - s_other^2) / z_other^2)^(e / 2), at most
+/// exp(-e / 2 (s^2 - s_other^2)) for e > 0.
+#[inline]
+pub(super) fn density_beside<T: Float>(
+    exponent: PowerExponent<T::Real>,
+    direction: [T::Real; 3],
+    other: [T::Real; 3],
+) -> T::Real {
+    let [s2, least] = [direction, other].map(|[x, y, _]| length_squared(x, y));
+    let e = exponent.e;
+    if e > T::Real::ZERO && e * (s2 - least) > T::Real::TWO * T::Real::UNSEEN {
+        T::Real::ZERO
+    } else {
+        density::<T>(exponent, direction)
+    }
 }
 
 #[cfg(all(test, feature = "libm"))]

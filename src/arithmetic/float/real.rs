@@ -63,6 +63,8 @@ pub trait RealKernel: Copy + sealed::Sealed {
     const TINY: Self;
     const FRAC_PI_4: Self;
     const FRAC_4_PI: Self;
+    /// exp(-UNSEEN) of a number is below half an ulp of it.
+    const UNSEEN: Self;
     /// n / 2^32, correctly rounded.
     fn over_2_32(n: u32) -> Self;
     /// n / 2^64, correctly rounded.
@@ -134,6 +136,8 @@ macro_rules! real {
             const TINY: Self = $float::MIN_POSITIVE * (1_u64 << 32) as $float;
             const FRAC_PI_4: Self = core::$float::consts::FRAC_PI_4;
             const FRAC_4_PI: Self = 4.0 * core::$float::consts::FRAC_1_PI;
+            const UNSEEN: Self =
+                ($float::MANTISSA_DIGITS + 2) as $float * core::$float::consts::LN_2;
 
             #[inline(always)]
             fn over_2_32(n: u32) -> Self {

@@ -34,4 +34,6 @@ impl<A: Arithmetic> PowerLobe<A> {
     }
 }
 
-lobe!(PowerLobe, power, power_block, lower_power, power_density, exponent);
+lobe! {
+    PowerLobe, power, power_block, lower_power, power_density, exponent, power_with_density
+}

@@ -8,7 +8,7 @@ use crate::orthonormal::{LARGEST, deviation, dot};
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::arithmetic::{Real, Root};
 use hemidisc::invariant::Exact;
-use hemidisc::{Cosine, Density, Error, Frame, Invert, Map, Unit};
+use hemidisc::{Cosine, Density, Error, Frame, Invert, Unit};
 
 #[derive(Arbitrary, Debug)]
 struct Input {
@@ -73,6 +73,7 @@ impl EachRoot for Input {
             Err(other) => panic!("{other}"),
         }
         self.of_any_length::<A>(vector);
+        self.of_two::<A>(vector);
         // Numbers that are equal make frames that are equal.
         let zero = A::Real::ZERO;
         let other = vector.map(|x| if x == zero { -x } else { x });
@@ -102,6 +103,38 @@ impl Input {
             Err(error) => {
                 assert_clear(&error);
                 assert_eq!((error, has_direction), (Error::NoDirection, false), "{vector:?}");
+            }
+        }
+    }
+
+    /// A normal has a frame, whatever it is; two axes, and a camera, have one or a clear error.
+    fn of_two<A: Root<Real: Real> + Tested>(&self, vector: [A::Real; 3]) {
+        let z_axis = nearest::<A, 3>([0.0, 0.0, 1.0]);
+        let expected = Frame::normalized(vector).or(Frame::new(z_axis));
+        assert_eq!(Ok(Frame::from_normal(vector)), expected, "{} {vector:?}", A::NAME);
+        let other = nearest::<A, 3>(self.local);
+        let what = || format!("{} {vector:?} {other:?}", A::NAME);
+        let units = [vector, other].map(Unit::normalized);
+        for (camera, made) in
+            [(false, Frame::from_axes(vector, other)), (true, Frame::look_to(vector, other))]
+        {
+            match (made, units) {
+                (Ok(frame), [Ok(first), Ok(second)]) => {
+                    assert!(orthonormal(frame), "{}: {frame:?}", what());
+                    let [x, y, z] = frame.axes();
+                    assert_eq!(Frame::with_tangent(frame.unit(), x), Ok(frame), "{}", what());
+                    assert_eq!(if camera { z } else { x }, first.get(), "{}", what());
+                    let side = dot(y, second.get());
+                    assert!(if camera { side < 0.0 } else { side > 0.0 }, "{}: {side}", what());
+                }
+                (Err(error @ Error::Parallel { cosine }), [Ok(_), Ok(_)]) => {
+                    assert_clear(&error);
+                    assert!((cosine.abs() - 1.0).abs() <= 40.0 * eps::<A::Real>(), "{}", what());
+                }
+                (made, units) => {
+                    assert_eq!(made.map(|_| ()), Err(Error::NoDirection), "{}", what());
+                    assert!(units.iter().any(Result::is_err), "{}", what());
+                }
             }
         }
     }

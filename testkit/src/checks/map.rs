@@ -9,7 +9,7 @@ use crate::promises::{AtSample, Total};
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::disc::Rejection;
 use hemidisc::invariant::{Exact, in_unit_disc};
-use hemidisc::{Density, Invert, LibmF32, LibmF64, Map, Power, UnitSquare};
+use hemidisc::{Density, Invert, LibmF32, LibmF64, Power, UnitSquare};
 
 /// Numbers first, in the order of the dictionary: coordinates, exponents, points.
 #[derive(Arbitrary, Debug)]

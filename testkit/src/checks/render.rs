@@ -6,18 +6,19 @@ mod scene;
 use super::roots::{EachRoot, every_root, wide};
 use crate::arithmetics::Tested;
 use crate::digest::Digest;
-use crate::tracer::{Counts, Light, Owen, PointLight, Points, Renderer, Tally};
+use crate::tracer::{Counts, Light, PointLight, Renderer, Source, Tally};
 use arbitrary::{Arbitrary, Unstructured};
 use hemidisc::arithmetic::{Real, Root};
 use hemidisc::effect::DiscLight;
-use hemidisc::sequence::Random;
-use hemidisc::{Domain, Error};
+use hemidisc::sequence::{InDomain, Random, Sequence, SobolOwen};
+use hemidisc::{Domain, Error, Sampler, Screen};
 use scene::{AnyLens, Scene};
 
 #[derive(Arbitrary, Debug)]
 struct Input {
     scene: Scene,
-    random: bool,
+    /// Bit 0: random numbers; bit 1: those of a screen.
+    kind: u8,
     /// Of the row and of the samples.
     cuts: [u8; 2],
 }
@@ -85,8 +86,7 @@ fn checked_row<A: Root<Real: Real> + Tested, S: Light<A>>(
         sky: scene.sky::<A>(),
         spheres: &scene.spheres::<A>(),
         planes: &scene.planes::<A>(),
-        points: Drawn { random: input.random },
-        seed: scene.seed,
+        source: Drawn { domain: Domain::new(scene.seed), size, kind: input.kind },
     };
     let what = || format!("{} {input:?}", A::NAME);
     let samples = u32::from(scene.samples) % SAMPLES + 1;
@@ -116,14 +116,59 @@ fn checked_row<A: Root<Real: Real> + Tested, S: Light<A>>(
     Ok(whole)
 }
 
-/// Points of either sequence.
+/// The numbers of a kind, under a domain and for a size in pixels.
 struct Drawn {
-    random: bool,
+    domain: Domain,
+    size: [u32; 2],
+    kind: u8,
 }
 
-impl Points for Drawn {
-    fn point(&self, domain: Domain, index: u32) -> [u32; 2] {
-        if self.random { Random::new(domain.seed()).at(index) } else { Owen.point(domain, index) }
+/// Members of either family.
+struct Either;
+
+impl InDomain for Either {
+    /// Whether they are random.
+    type Size = bool;
+    type Sequence = EitherOf;
+
+    fn in_domain(domain: Domain, random: bool) -> EitherOf {
+        if random {
+            EitherOf::Random(Random::in_domain(domain))
+        } else {
+            EitherOf::Owen(SobolOwen::in_domain(domain))
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+enum EitherOf {
+    Random(Random),
+    Owen(SobolOwen),
+}
+
+impl Sequence for EitherOf {
+    fn size(&self) -> Option<u32> {
+        None
+    }
+
+    fn at(&self, index: u32) -> [u32; 2] {
+        match self {
+            Self::Random(random) => random.at(index),
+            Self::Owen(owen) => owen.at(index),
+        }
+    }
+}
+
+impl Source for Drawn {
+    type Family = Either;
+
+    fn sampler(&self, pixel: [u32; 2], sample: u32) -> Sampler<Either> {
+        let apart = self.domain.sampler(pixel, sample);
+        let sampler = match (self.kind & 3, Screen::new(self.domain, self.size, SAMPLES)) {
+            (2 | 3, Ok(screen)) => screen.sampler(pixel, sample),
+            _ => apart,
+        };
+        Sampler::of(sampler.domain(), self.kind & 1 == 1, sampler.index())
     }
 }
 

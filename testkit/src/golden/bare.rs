@@ -4,10 +4,9 @@
 //! bytes of flash on the boards. Both share the code that finds where rays end.
 
 use crate::tracer::{
-    Finish, Hit, Mirror, Pinhole, PointLight, Points, Ray, Renderer, Unoccluded, Vector,
+    Finish, Hit, Mirror, Pinhole, PointLight, Ray, Renderer, Source, Unoccluded, Vector,
 };
 use core::ops::Range;
-use hemidisc::Domain;
 use hemidisc::arithmetic::{Real, Root};
 
 /// A scene without an effect.
@@ -15,15 +14,14 @@ pub type Scene<'a, A, P> = Renderer<'a, A, Pinhole, PointLight<A>, Unoccluded, M
 
 /// As [`Renderer::row`].
 pub fn row<A: Root>(
-    scene: &Scene<'_, A, impl Points>,
+    scene: &Scene<'_, A, impl Source>,
     [x, y]: [u32; 2],
     samples: Range<u32>,
     sums: &mut [Vector<A>],
 ) {
     for (x, pixel) in (x..).zip(sums) {
-        let filter = Domain::new(scene.seed).pixel(x, y).child(0);
         for index in samples.clone() {
-            let within = A::square(scene.points.point(filter, index));
+            let within = A::square(scene.source.sampler([x, y], index).child(0).pair());
             let [ahead_x, ahead_y] = scene.camera.image_point([x, y], within);
             let ray = scene.camera.ray([A::Real::ZERO; 3], [ahead_x, ahead_y, A::Real::ONE]);
             let seen = radiance(scene, &ray);
@@ -32,7 +30,7 @@ pub fn row<A: Root>(
     }
 }
 
-fn radiance<A: Root>(scene: &Scene<'_, A, impl Points>, ray: &Ray<A>) -> Vector<A> {
+fn radiance<A: Root>(scene: &Scene<'_, A, impl Source>, ray: &Ray<A>) -> Vector<A> {
     let Some(hit) = scene.nearest(ray) else { return scene.sky.along(ray.direction) };
     let own = lit(scene, &hit);
     let (Finish::Mirror(reflectance) | Finish::Glossy(reflectance, Mirror)) = hit.material.finish
@@ -50,7 +48,7 @@ fn radiance<A: Root>(scene: &Scene<'_, A, impl Points>, ray: &Ray<A>) -> Vector<
     core::array::from_fn(|i| own[i] + reflectance[i] * seen[i])
 }
 
-fn lit<A: Root>(scene: &Scene<'_, A, impl Points>, hit: &Hit<'_, A, Mirror>) -> Vector<A> {
+fn lit<A: Root>(scene: &Scene<'_, A, impl Source>, hit: &Hit<'_, A, Mirror>) -> Vector<A> {
     let light = &scene.light;
     let to_light: Vector<A> = core::array::from_fn(|i| light.position[i] - hit.point[i]);
     let square = dot(to_light, to_light);

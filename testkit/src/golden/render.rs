@@ -7,13 +7,13 @@
 use super::bare;
 use crate::digest::{Digest, Digestible};
 use crate::tracer::{
-    Ambient, Camera, Checker, Counts, Finish, Lens, Light, Material, Mirror, Owen, Pinhole, Plane,
-    PointLight, Points, Reflection, Renderer, Sky, Sphere, Unoccluded,
+    Ambient, Camera, Checker, Counts, Finish, Lens, Light, Material, Mirror, Pinhole, Plane,
+    PointLight, Reflection, Renderer, Sky, Source, Sphere, Unoccluded,
 };
 use core::fmt::Arguments;
 use hemidisc::arithmetic::{Real, Root};
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
-use hemidisc::{Error, Frame, Unit};
+use hemidisc::{Domain, Error, Frame, Unit};
 
 /// Pixels across and down.
 pub const SIZE: [u32; 2] = [64, 48];
@@ -25,7 +25,7 @@ pub trait Visitor<A: Root> {
     fn scene<L: Lens<A>, S: Light<A>, O: Ambient<A>, G: Reflection<A>>(
         &mut self,
         name: &'static str,
-        scene: Renderer<'_, A, L, S, O, G, impl Points>,
+        scene: Renderer<'_, A, L, S, O, G, impl Source>,
     );
 }
 
@@ -51,7 +51,7 @@ struct Parts<L, S, O, G> {
 /// Three balls on a chequered table.
 fn table<A, L, S, O, G>(
     parts: Parts<L, S, O, G>,
-    take: impl FnOnce(Renderer<'_, A, L, S, O, G, Owen>),
+    take: impl FnOnce(Renderer<'_, A, L, S, O, G, Domain>),
 ) -> Result<(), Error>
 where
     A: Root,
@@ -94,8 +94,7 @@ where
         sky,
         spheres: &spheres,
         planes: &planes,
-        points: Owen,
-        seed: 7,
+        source: Domain::new(7),
     });
     Ok(())
 }
@@ -130,7 +129,7 @@ pub fn plain<A: Root>(visitor: &mut impl Visitor<A>) -> Result<(), Error> {
 }
 
 /// The same, its types known.
-pub fn with_bare<A: Root>(take: impl FnOnce(bare::Scene<'_, A, Owen>)) -> Result<(), Error> {
+pub fn with_bare<A: Root>(take: impl FnOnce(bare::Scene<'_, A, Domain>)) -> Result<(), Error> {
     let gloss = [Mirror, Mirror];
     table(Parts { lens: Pinhole, light: point()?, occlusion: Unoccluded, gloss }, take)
 }
@@ -185,7 +184,7 @@ impl<A: Root<Real: Digestible>> Visitor<A> for Digests<'_> {
     fn scene<L: Lens<A>, S: Light<A>, O: Ambient<A>, G: Reflection<A>>(
         &mut self,
         name: &'static str,
-        scene: Renderer<'_, A, L, S, O, G, impl Points>,
+        scene: Renderer<'_, A, L, S, O, G, impl Source>,
     ) {
         let (mut digest, mut counts) = (Digest::new(), Counts::default());
         let [_, height] = SIZE;

@@ -1,9 +1,9 @@
 //! A scene in code with all four effects: balls of silver, glaze, brass and clay on a chequered
 //! table at dusk.
 
-use crate::tracer::{Camera, Checker, Finish, Material, Owen, Plane, Renderer, Sky, Sphere};
+use crate::tracer::{Camera, Checker, Finish, Material, Plane, Renderer, Sky, Sphere};
 use hemidisc::effect::{AmbientOcclusion, BelowHorizon, DiscLight, Glossy, Polygon, ThinLens};
-use hemidisc::{Error, FastF32, Frame};
+use hemidisc::{Domain, Error, FastF32, Frame, Screen};
 
 /// The renderer of the scene, in polynomials of `f32` alone.
 ///
@@ -16,7 +16,7 @@ pub type StillLife<'a> = Renderer<
     DiscLight<FastF32>,
     AmbientOcclusion<FastF32>,
     Glossy<FastF32>,
-    Owen,
+    Screen,
 >;
 
 /// The balls and the table.
@@ -61,11 +61,12 @@ impl Objects {
         })
     }
 
-    /// The scene with these objects, for a panel of a width and a height in pixels.
+    /// The scene with these objects, for a panel of a width and a height in pixels and a number of
+    /// samples in each.
     ///
     /// # Errors
     /// None for the values that are here.
-    pub fn still_life(&self, size: [u32; 2]) -> Result<StillLife<'_>, Error> {
+    pub fn still_life(&self, size: [u32; 2], samples: u32) -> Result<StillLife<'_>, Error> {
         let toward = Frame::normalized([0.45, -0.75, -0.45])?;
         Ok(Renderer {
             camera: Camera::new([0.2, 1.7, 5.0], [-0.03, -0.21, -1.0], 0.36, size)?,
@@ -77,8 +78,7 @@ impl Objects {
             sky: Sky { horizon: [0.42, 0.3, 0.28], zenith: [0.05, 0.09, 0.25] },
             spheres: &self.spheres,
             planes: &self.planes,
-            points: Owen,
-            seed: 7,
+            source: Screen::new(Domain::new(7), size, samples)?,
         })
     }
 }

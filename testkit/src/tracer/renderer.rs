@@ -1,13 +1,13 @@
 //! What a pixel sees.
 
-use super::sample::{FILTER, GLOSSY, LENS, LIGHT, OCCLUSION, Sample};
+use super::sample::{BOUNCE, CAMERA, GLOSSY, LIGHT, OCCLUSION};
 use super::vector::{along, dot, product, scaled, sum};
 use super::{
-    Ambient, Camera, Counts, Finish, Hit, Lens, Light, Mirror, Plane, Points, Ray, Reflection,
+    Ambient, Camera, Counts, Finish, Hit, Lens, Light, Mirror, Plane, Ray, Reflection, Source,
     Sphere, Vector,
 };
 use core::ops::Range;
-use hemidisc::Domain;
+use hemidisc::Sampler;
 use hemidisc::arithmetic::{Arithmetic, Real, Root};
 
 /// What is seen where nothing is.
@@ -40,10 +40,8 @@ pub struct Renderer<'a, A: Arithmetic, L, S, O, G, P> {
     pub spheres: &'a [Sphere<A, G>],
     /// All planes.
     pub planes: &'a [Plane<A, G>],
-    /// Where points come from.
-    pub points: P,
-    /// Of the noise.
-    pub seed: u32,
+    /// Where the numbers of samples come from.
+    pub source: P,
 }
 
 impl<A, L, S, O, G, P> Renderer<'_, A, L, S, O, G, P>
@@ -53,16 +51,15 @@ where
     S: Light<A>,
     O: Ambient<A>,
     G: Reflection<A>,
-    P: Points,
+    P: Source,
 {
     /// Adds a range of samples to each of the sums, which are those of the pixels from (x, y) to
     /// the right.
     pub fn row(&self, [mut x, y]: [u32; 2], samples: Range<u32>, sums: &mut [Vector<A>]) -> Counts {
         let mut counts = Counts::default();
         for pixel in sums {
-            let domain = Domain::new(self.seed).pixel(x, y);
             for index in samples.clone() {
-                let sample = Sample::new(domain, index);
+                let sample = self.source.sampler([x, y], index);
                 *pixel = sum(*pixel, self.radiance([x, y], sample, &mut counts));
             }
             x = x.wrapping_add(1);
@@ -71,15 +68,16 @@ where
     }
 
     /// One sample of a pixel.
-    fn radiance(&self, pixel: [u32; 2], of: Sample, counts: &mut Counts) -> Vector<A> {
+    fn radiance(&self, pixel: [u32; 2], of: Sampler<P::Family>, counts: &mut Counts) -> Vector<A> {
         counts.base.draw();
-        let centre = self.camera.image_point(pixel, A::square(of.point(FILTER, &self.points)));
-        let lens = self.lens.ray(centre, || of.point(LENS, &self.points), counts);
+        let camera = of.child(CAMERA);
+        let centre = self.camera.image_point(pixel, A::square(camera.pair()));
+        let lens = self.lens.ray(centre, || camera.joint()[1], counts);
         let ray = self.camera.ray(lens.origin, lens.direction);
         let Some(hit) = self.nearest(&ray) else { return self.sky.along(ray.direction) };
         let own = self.lit(&hit, of, counts);
         let arriving = ray.direction;
-        let draw = || of.point(GLOSSY, &self.points);
+        let draw = || of.child(GLOSSY).pair();
         let (reflectance, sample) = match &hit.material.finish {
             Finish::Matte => return own,
             Finish::Mirror(reflectance) => {
@@ -92,15 +90,15 @@ where
         let Some(sample) = sample else { return own };
         let ray = hit.leaving(sample.direction);
         let seen = match self.nearest(&ray) {
-            Some(hit) => self.lit(&hit, of.bounced(), counts),
+            Some(hit) => self.lit(&hit, of.child(BOUNCE), counts),
             None => self.sky.along(ray.direction),
         };
         sum(own, product(*reflectance, scaled(sample.weight, seen)))
     }
 
     /// Emission, direct light and ambient light: all but reflection.
-    fn lit(&self, hit: &Hit<'_, A, G>, of: Sample, counts: &mut Counts) -> Vector<A> {
-        let light = self.light.sample(hit.point, || of.point(LIGHT, &self.points), counts);
+    fn lit(&self, hit: &Hit<'_, A, G>, of: Sampler<P::Family>, counts: &mut Counts) -> Vector<A> {
+        let light = self.light.sample(hit.point, || of.child(LIGHT).pair(), counts);
         let share = light.weight * dot(light.direction, hit.normal.get()) * A::Real::FRAC_1_PI;
         let mut arriving = [A::Real::ZERO; 3];
         if share > A::Real::ZERO {
@@ -110,12 +108,8 @@ where
             }
         }
         let meets = |direction, reach| self.meets(&hit.leaving(direction), reach);
-        let openness = self.occlusion.openness(
-            hit.normal,
-            meets,
-            || of.point(OCCLUSION, &self.points),
-            counts,
-        );
+        let openness =
+            self.occlusion.openness(hit.normal, meets, || of.child(OCCLUSION).pair(), counts);
         let arriving = along(arriving, openness, self.ambient);
         sum(hit.material.emission, product(hit.albedo, arriving))
     }

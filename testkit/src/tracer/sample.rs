@@ -1,60 +1,51 @@
-//! One sample of a pixel: where each effect's points come from, and how many were drawn.
+//! The samples of a pixel: where their numbers come from, and how many were drawn.
 
 use core::fmt;
 use core::ops::AddAssign;
-use hemidisc::Domain;
-use hemidisc::sequence::SobolOwen;
+use hemidisc::sequence::{InDomain, SobolOwen};
+use hemidisc::{Domain, Sampler, Screen};
 
-/// What a sequence is to the renderer.
-pub trait Points {
-    /// The point of a number in a domain.
-    fn point(&self, domain: Domain, index: u32) -> [u32; 2];
+/// Where the numbers of a sample come from.
+pub trait Source {
+    /// The sequences that they are drawn from.
+    type Family: InDomain;
+
+    /// The sampler of a pixel's sample.
+    fn sampler(&self, pixel: [u32; 2], sample: u32) -> Sampler<Self::Family>;
 }
 
-/// The Owen-scrambled Sobol sequence: well spread however many samples there are.
-#[derive(Clone, Copy, Debug)]
-pub struct Owen;
+/// Each pixel has a domain of its own.
+impl Source for Domain {
+    type Family = SobolOwen;
 
-impl Points for Owen {
     #[inline]
-    fn point(&self, domain: Domain, index: u32) -> [u32; 2] {
-        SobolOwen::in_domain(domain).at(index)
+    fn sampler(&self, [x, y]: [u32; 2], sample: u32) -> Sampler {
+        Sampler::new(self.pixel(x, y), sample)
     }
 }
 
-/// The keys of the domains under a pixel's, one for each use of points.
-pub(super) const FILTER: u32 = 0;
-pub(super) const LENS: u32 = 1;
+/// All pixels share one, and their errors are blue noise.
+impl Source for Screen {
+    type Family = SobolOwen;
+
+    /// A pixel outside has a domain of its own.
+    #[inline]
+    fn sampler(&self, [x, y]: [u32; 2], sample: u32) -> Sampler {
+        match self.pixel(x, y) {
+            Ok(pixel) => pixel.sampler(sample),
+            Err(_) => self.domain().sampler([x, y], sample),
+        }
+    }
+}
+
+/// The keys of the domains under a pixel's, one for each use of numbers. The point of the pixel and
+/// that of the lens are drawn together.
+pub(super) const CAMERA: u32 = 0;
 pub(super) const LIGHT: u32 = 2;
 pub(super) const OCCLUSION: u32 = 3;
 pub(super) const GLOSSY: u32 = 4;
 /// Under it are the domains of the effects where a reflected ray ends.
 pub(super) const BOUNCE: u32 = 5;
-
-/// A sample's number, and the domain of its pixel or of a bounce there.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Sample {
-    domain: Domain,
-    index: u32,
-}
-
-impl Sample {
-    /// The sample of a number in the domain of a pixel.
-    pub(super) const fn new(pixel: Domain, index: u32) -> Self {
-        Self { domain: pixel, index }
-    }
-
-    /// The point of an effect.
-    #[inline]
-    pub(super) fn point(self, effect: u32, points: &impl Points) -> [u32; 2] {
-        points.point(self.domain.child(effect), self.index)
-    }
-
-    /// The sample where a reflected ray ends.
-    pub(super) const fn bounced(self) -> Self {
-        Self { domain: self.domain.child(BOUNCE), index: self.index }
-    }
-}
 
 /// Points drawn and rays sent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -49,9 +49,17 @@ impl<A: Tested> EachMap<A> for Check<'_> {
                 // Far above the exponents of the contract theta and density are still as accurate.
                 assert!(errors.theta <= 2.0 * contract.theta, "{label}: {errors:?}");
                 assert!(errors.density_slope <= contract.density[1], "{label}: {errors:?}");
+                assert!(errors.sampled_slope <= contract.sampled[1], "{label}: {errors:?}");
             }
-            let density = map.density(map.sample(case.uv)).exact();
-            assert!(density > 0.0 && density.is_finite(), "{label}: density {density}");
+            let (point, with_sample) = map.sample_with_density(case.uv);
+            let densities = [map.density(point), with_sample].map(Exact::exact);
+            for density in densities {
+                assert!(density > 0.0 && density.is_finite(), "{label}: density {density}");
+            }
+            // A z that is not the coordinates' has a density of its own.
+            if e < 0.0 && point[D - 1].exact() == A::Real::SMALLEST {
+                assert_eq!(densities[0], densities[1], "{label}");
+            }
             if A::NAME == "libm-f64" && promised {
                 invariant::inverted(&map, case.uv).unwrap_or_else(|v| panic!("{label}: {v}"));
             }

@@ -8,7 +8,7 @@ use crate::contract::contract;
 use hemidisc::arithmetic::{Real, Root};
 use hemidisc::effect::{Polygon, ThinLens};
 use hemidisc::invariant::{self, Exact};
-use hemidisc::{Concentric, Density, Error, Invert, Map, Polar};
+use hemidisc::{Concentric, Density, Error, Invert, Polar};
 
 /// A lens of a radius and a focal distance, with either round aperture.
 pub fn lens<A: Root<Real: Real> + Tested>(input: &Input) {

@@ -52,8 +52,7 @@ fn samples<A: Root<Real: Real> + Tested>(light: DiscLight<A>, input: &Input) {
         let what = || format!("{} {input:x?}: {sample:?}", A::NAME);
         is_sound::<A>(&light, sample, input, &what);
         is_exact::<A>(&light, sample, input, &what);
-        let found: f64 = light.density(receiver, sample.direction).exact();
-        assert!(found >= 0.0 && found.is_finite(), "{}: {found:e}", what());
+        met(&light, receiver, sample.direction, Some(sample), input);
         super::shares_a_direction(
             sample.density,
             light.is_delta(),
@@ -72,8 +71,59 @@ fn samples<A: Root<Real: Real> + Tested>(light: DiscLight<A>, input: &Input) {
     // Any direction gives a number.
     let anything = nearest::<A, 3>(input.arriving);
     for light in [light, two_sided] {
-        let found: f64 = light.density(receiver, anything).exact();
-        assert!(found >= 0.0 && found.is_finite(), "{input:x?}: {found:e}");
+        met(&light, receiver, anything, None, input);
+    }
+}
+
+/// A direction has a density where its ray hits the light, and the hit has it, a point of the light
+/// and weights. A sample's direction hits the sample's point, as well as the direction is known.
+fn met<A: Root<Real: Real> + Tested>(
+    light: &DiscLight<A>,
+    receiver: [A::Real; 3],
+    direction: [A::Real; 3],
+    sample: Option<LightSample<A::Real>>,
+    input: &Input,
+) {
+    let [density] = wide([light.density(receiver, direction)]);
+    assert!(density >= 0.0 && density.is_finite(), "{input:x?}: {density:e}");
+    let hit = light.hit(receiver, direction);
+    assert_eq!(hit.is_some(), density > 0.0, "{input:x?}: {density:e} {hit:?}");
+    let Some(hit) = hit else { return };
+    let what = || format!("{} {input:x?}: {hit:?} {sample:?}", A::NAME);
+    is_sound(light, hit, input, &what);
+    let [smallest, largest] = wide([A::Real::MIN_POSITIVE, A::Real::MAX]);
+    let unit = contract(A::NAME, "uniform").unwrap().unit;
+    let near = |found: f64, expected: f64, room: f64| {
+        // Where a result leaves the normal numbers, each is cut off on its own.
+        let is_number = |x: f64| x > 4.0 * smallest / unit && x < largest * 0.25;
+        let apart = (found / expected - 1.0).abs();
+        let cut = !(is_number(found) && is_number(expected));
+        assert!(cut || apart <= room, "{}: {found:e}, not {expected:e}", what());
+    };
+    let [area] = wide([light.area()]);
+    if area > smallest / unit {
+        near(hit.density.exact(), density, 16.0 * unit);
+    }
+    let Some(sample) = sample else { return };
+    let [distance, weight] = wide([sample.distance, sample.weight]);
+    if weight == 0.0 {
+        return;
+    }
+    // An eps of the direction, and of the coordinates, is cos t times as much of the distance.
+    let centre = nearest::<A, 3>(input.centre);
+    let [size, farther] = [centre, receiver].map(|v| dot(v, v).sqrt());
+    let size = size + farther + wide(nearest::<A, 1>([input.radius]))[0];
+    let cosine = weight * distance * distance;
+    let room = 64.0 * unit.max(A::DENSITY_ERROR) * (1.0 + size / distance) / cosine;
+    if room < 0.1 && distance * distance < largest * 0.25 {
+        for (found, expected) in [
+            (hit.distance, sample.distance),
+            (hit.weight, sample.weight),
+            (hit.density, sample.density),
+            (hit.radiance_weight, sample.radiance_weight),
+        ] {
+            near(found.exact(), expected.exact(), 4.0 * room);
+        }
     }
 }
 
@@ -92,6 +142,13 @@ fn is_sound<A: Root<Real: Real> + Tested>(
     let length = dot(sample.direction, sample.direction);
     // It may be the light's normal: within 16 ulp, and its own sum has rounded.
     assert!((length - 1.0).abs() <= 36.0 * A::DENSITY_ERROR, "{}: {length}", what());
+    let [area, other] = wide([light.area(), sample.radiance_weight]);
+    assert!(other >= 0.0 && other.is_finite() && (weight > 0.0 || other == 0.0), "{}", what());
+    let [least, most] = wide([A::Real::MIN_POSITIVE, A::Real::MAX]);
+    if area * weight > least && area * weight < most {
+        let unit = contract(A::NAME, "uniform").unwrap().unit;
+        assert!((other / (area * weight) - 1.0).abs() <= 4.0 * unit, "{}", what());
+    }
     assert!(all_finite([light.area(), light.area_density()]), "{}", what());
     assert!(all_finite(sample.point), "{}", what());
     let [radius] = wide(nearest::<A, 1>([input.radius]));

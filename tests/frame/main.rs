@@ -1,11 +1,12 @@
 //! Frames: orthonormal about any unit vector, exact near z = -1, and world-space sampling.
 #![cfg(feature = "libm")]
 
+mod axes;
+mod normals;
+
 use hemidisc::arithmetic::Real;
 use hemidisc::sequence::{Random, SobolOwen};
-use hemidisc::{
-    Cosine, Density, Error, Frame, LibmF32, LibmF64, Map, Points, Power, Unit, UnitSquare,
-};
+use hemidisc::{Cosine, Density, Error, Frame, LibmF32, LibmF64, Points, Power, Unit, UnitSquare};
 use proptest::prelude::*;
 use testkit::orthonormal::{LARGEST, deviation, dot};
 
@@ -22,7 +23,8 @@ const EPS: f64 = f32::EPSILON as f64 / 2.0;
 fn assert_orthonormal(frame: Frame<f32>) {
     let [x, _, z] = frame.axes();
     let lengths = [x, z].map(|axis| (dot(axis, axis) - 1.0).abs());
-    assert!(lengths.into_iter().all(|length| length <= 32.0 * EPS), "{lengths:?}");
+    // Within 16 ulp, and the sum that says so has rounded.
+    assert!(lengths.into_iter().all(|length| length <= 36.0 * EPS), "{lengths:?}");
     let room = LARGEST * EPS + 3.0 * lengths[0].max(lengths[1]);
     let found = deviation(frame.axes());
     assert!(found <= room, "{frame:?}: {found:e}");
@@ -159,77 +161,6 @@ fn directions_and_hits_are_unit_vectors() {
             assert!(Frame::new(normal).is_ok(), "{normal:?}");
         }
     }
-}
-
-/// Across n_z = 0 the frame about a normal turns; that of a tangent does not.
-#[test]
-fn a_tangent_makes_frames_continuous() {
-    for i in 0..1000 {
-        let [a, b] = Points::new(Random::new(4), UnitSquare::<LibmF64>::new()).get(i).unwrap();
-        let (sin, cos) = (a * std::f64::consts::TAU).sin_cos();
-        let (up, down) = (unit([cos, sin, 1e-6]), unit([cos, sin, -1e-6]));
-        let tangent = [-sin as f32, cos as f32, b as f32];
-        let of = |normal| Frame::with_tangent(Unit::new(normal).unwrap(), tangent).unwrap();
-        let (above, below) = (of(up), of(down));
-        for frame in [above, below] {
-            assert_orthonormal(frame);
-        }
-        for (a, b) in above.axes().into_iter().zip(below.axes()) {
-            for (a, b) in a.into_iter().zip(b) {
-                assert!((a - b).abs() < 4e-6, "{above:?} {below:?}");
-            }
-        }
-        assert!(dot(above.axes()[0], tangent) > 0.0);
-        // The frame is a function of its third and first axis.
-        let [x, _, z] = above.axes();
-        assert_eq!(Frame::with_tangent(Unit::new(z).unwrap(), x), Ok(above));
-        let plain = Frame::new(up).unwrap();
-        assert_eq!(Frame::with_tangent(plain.unit(), plain.axes()[0]), Ok(plain));
-    }
-    let turned = |z: f32| Frame::new([1.0, 0.0, z]).unwrap().axes()[1];
-    assert!(dot(turned(1e-6), turned(-1e-6)) < -0.99, "documented at Frame");
-}
-
-/// A normal at either end of what is taken to be of unit length, and a tangent almost along it.
-#[test]
-fn a_normal_within_16_ulp_has_an_orthonormal_frame() {
-    for size in [1.0 - 7.0 * f32::EPSILON, 1.0 + 7.0 * f32::EPSILON] {
-        let normal = Unit::new([-1e-7, size, 0.0]).unwrap();
-        assert_eq!(normal.get(), [-1e-7, size, 0.0]);
-        for tangent in [[-1e-7, 999_999.5, 0.6], [1.0, 1e5, 0.0], [0.3, 2.0, -7.0_f32]] {
-            if let Ok(frame) = Frame::with_tangent(normal, tangent) {
-                assert_orthonormal(frame);
-                assert_eq!(Frame::with_tangent(normal, frame.axes()[0]), Ok(frame));
-            }
-        }
-        assert!(Frame::with_tangent(normal, [-1e-7, 999_999.5, 0.6]).is_err());
-    }
-}
-
-/// However little a tangent leaves the normal, the frame is orthonormal, or there is none.
-#[test]
-fn a_tangent_along_the_normal_is_refused() {
-    let normal = unit([0.3, -0.5, 0.7]);
-    let up = Unit::new(normal).unwrap();
-    let [across, ..] = Frame::from(up).axes();
-    let mut refused = 0;
-    for halvings in 0..40 {
-        for sign in [1.0, -1.0] {
-            let k = 0.5_f32.powi(halvings);
-            let tangent = core::array::from_fn(|i| sign * 7.0 * (normal[i] + k * across[i]));
-            match Frame::with_tangent(up, tangent) {
-                Ok(frame) => assert_orthonormal(frame),
-                Err(error) => {
-                    let Error::Parallel { cosine } = error else { panic!("{error}") };
-                    assert!((cosine - f64::from(sign)).abs() < 4.0 * EPS, "{cosine}");
-                    refused += 1;
-                }
-            }
-        }
-    }
-    assert!((34..=46).contains(&refused), "{refused}");
-    let error = Frame::with_tangent(up, normal).unwrap_err().to_string();
-    assert!(error.starts_with("a tangent with the cosine "), "{error}");
 }
 
 #[test]

@@ -3,9 +3,10 @@
 use std::error::Error;
 use std::path::Path;
 
-pub(crate) type Failure = Box<dyn Error>;
+/// Any error.
+pub type Failure = Box<dyn Error>;
 
 /// An error with the file that it is of.
-pub(crate) fn failed(path: &Path, error: &dyn Error) -> Failure {
+pub fn failed(path: &Path, error: &dyn Error) -> Failure {
     format!("{}: {error}", path.display()).into()
 }
