@@ -1,26 +1,25 @@
 //! Times and errors of every source, measured side by side.
 //!
-//! A row of the picture is rendered from each source in turn, and a time is the shortest of some
-//! repetitions: other load and a change of the clock rate then slow no source more than another.
+//! A tile is rendered from each source in turn, and its time is the shortest of some repetitions.
+//! So other load and a change of the clock rate slow no source more than another.
 
-use crate::path::{Sums, Tile, View, tile};
-use crate::source::{Blocks, Formulas, OneByOne, Rejection, Request};
+use crate::path::{PIXELS, Tile, View, tile};
 use crate::picture::Picture;
+use crate::source::{Blocks, Formulas, OneByOne, Rejection, Request};
+use crate::vector::Vector;
+use hemidisc::Error;
 use std::time::Instant;
 
-/// The sources, that of the tutorial first and this crate's last.
+/// The sources, that of the tutorial first.
 pub(crate) const SOURCES: [(&str, Tile); 4] = [
     ("rand, rejection", tile::<Rejection>),
     ("rand, formulas", tile::<Formulas>),
-    ("hemidisc, Sampler", tile::<OneByOne>),
-    ("hemidisc, blocks", tile::<Blocks>),
+    ("hemidisc, one by one", tile::<OneByOne>),
+    ("hemidisc, in blocks", tile::<Blocks>),
 ];
 
-/// Samples of a pixel.
-pub(crate) const COUNTS: [u32; 5] = [1, 4, 16, 64, 256];
-
-/// Pictures of a source and a number of samples, whose errors are averaged.
-pub(crate) const SEEDS: u32 = 4;
+/// Of these, how many are random numbers.
+pub(crate) const RANDOM: usize = 2;
 
 /// What is measured of a source at a number of samples.
 #[derive(Clone, Copy, Debug, Default)]
@@ -31,49 +30,65 @@ pub(crate) struct Measured {
     pub(crate) error: f64,
 }
 
-/// How often each row is rendered.
-pub(crate) fn repetitions(count: u32) -> u32 {
-    (256 / count).clamp(3, 8)
+/// Pictures whose errors and times are averaged, and how often each tile of them is rendered.
+const fn pictures_and_repetitions(count: u32) -> [u32; 2] {
+    match count {
+        0..=16 => [4, 8],
+        17..=64 => [4, 4],
+        _ => [1, 4],
+    }
 }
 
-/// Measures every source; `step` is called after each picture of all.
+/// How often [`sources`] calls `step`.
+pub(crate) const fn steps(count: u32) -> usize {
+    let [pictures, repetitions] = pictures_and_repetitions(count);
+    (pictures * repetitions) as usize
+}
+
+/// Measures every source; `step` is called after each picture of all of them.
+///
+/// # Errors
+/// For a picture without pixels or samples.
 pub(crate) fn sources(
     view: &View,
     count: u32,
     reference: &Picture,
     step: &mut dyn FnMut(),
-) -> [Measured; SOURCES.len()] {
+) -> Result<[Measured; SOURCES.len()], Error> {
+    let [pictures, repetitions] = pictures_and_repetitions(count);
     let mut measured = [Measured::default(); SOURCES.len()];
-    let mut times = vec![[f64::INFINITY; SOURCES.len()]; SEEDS as usize * view.tiles().len()];
-    for repetition in 0..repetitions(count) {
-        for (seed, times) in (0..).zip(times.chunks_mut(view.tiles().len())) {
-            for ((tile, times), reference) in view.tiles().zip(times).zip(reference) {
+    for seed in 0..pictures {
+        let request = Request::new(seed, view.size(), count)?;
+        let mut shortest = vec![[f64::INFINITY; SOURCES.len()]; view.tiles().len()];
+        for repetition in 0..repetitions as usize {
+            for ((tile, shortest), exact) in view.tiles().zip(&mut shortest).zip(reference) {
                 for turn in 0..SOURCES.len() {
-                    let at = (turn + repetition as usize) % SOURCES.len();
-                    let request = Request { seed, size: view.size, samples: count, tile, first: 0 };
+                    let at = (turn + repetition) % SOURCES.len();
+                    let (_, render) = SOURCES[at];
                     let start = Instant::now();
-                    let sums = SOURCES[at].1(view, &request, count);
-                    times[at] = times[at].min(start.elapsed().as_secs_f64());
+                    let sums = render(view, &Request { tile, ..request }, count);
+                    shortest[at] = shortest[at].min(start.elapsed().as_secs_f64());
                     if repetition == 0 {
-                        measured[at].error += squares(&sums, count, reference);
+                        measured[at].error += squares(&sums, count, exact);
                     }
                 }
             }
             step();
         }
+        for (at, measured) in measured.iter_mut().enumerate() {
+            measured.nanoseconds += 1e9 * shortest.iter().map(|times| times[at]).sum::<f64>();
+        }
     }
-    let pixels = f64::from(SEEDS) * f64::from(view.size[0] * view.size[1]);
-    for (at, measured) in measured.iter_mut().enumerate() {
-        let seconds: f64 = times.iter().map(|times| times[at]).sum();
-        measured.nanoseconds = 1e9 * seconds / (pixels * f64::from(count));
-        measured.error = (measured.error / (3.0 * pixels)).sqrt();
-    }
-    measured
+    let [width, height] = view.size().map(f64::from);
+    let pixels = width * height * f64::from(pictures);
+    Ok(measured.map(|sums| Measured {
+        nanoseconds: sums.nanoseconds / (pixels * f64::from(count)),
+        error: (sums.error / (3.0 * pixels)).sqrt(),
+    }))
 }
 
 /// The sum of the squares of the differences.
-fn squares(sums: &Sums, count: u32, reference: &[[f64; 3]; 64]) -> f64 {
-    let mean = |sum: f32| f64::from(sum) / f64::from(count);
-    let difference = |(sum, exact): (&f32, &f64)| (mean(*sum) - exact).powi(2);
-    sums.iter().flatten().zip(reference.iter().flatten()).map(difference).sum()
+fn squares(sums: &[Vector; PIXELS], count: u32, exact: &[[f64; 3]; PIXELS]) -> f64 {
+    let difference = |(sum, exact): (&f32, &f64)| f64::from(*sum) / f64::from(count) - exact;
+    sums.iter().flatten().zip(exact.iter().flatten()).map(difference).map(|d| d * d).sum()
 }

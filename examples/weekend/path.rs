@@ -1,4 +1,4 @@
-//! Paths: from the lens, off what they meet, to the sky.
+//! Paths: from the lens, off what they meet, to the sky. And the pixels of a tile.
 
 use crate::camera::Camera;
 use crate::scene::{Ray, Scene, sky};
@@ -9,46 +9,55 @@ use std::ops::Range;
 /// Surfaces that a path meets at most.
 const SURFACES: u32 = 16;
 
+/// Pixels along the side of a tile.
+const SIDE: u32 = 8;
+
+/// Pixels of a tile.
+pub(crate) const PIXELS: usize = (SIDE * SIDE) as usize;
+
 /// What is seen, and from where.
 #[derive(Clone, Debug)]
 pub(crate) struct View {
     scene: Scene,
     camera: Camera,
-    pub(crate) size: [u32; 2],
+    size: [u32; 2],
 }
-
-/// Sums of the pixels of a tile, in Morton's order.
-pub(crate) type Sums = [Vector; SIDE * SIDE];
-pub(crate) const SIDE: usize = 8;
-
-/// [`tile`] of a source.
-pub(crate) type Tile = fn(&View, &Request, u32) -> Sums;
 
 impl View {
     pub(crate) fn new(size: [u32; 2]) -> Self {
         Self { scene: Scene::new(), camera: Camera::new(size), size }
     }
 
-    pub(crate) fn tiles(&self) -> Range<u32> {
-        let [x, y] = self.size.map(|s| s.div_ceil(SIDE as u32));
-        0..x * y
+    pub(crate) const fn size(&self) -> [u32; 2] {
+        self.size
     }
 
+    /// By rows from the top left.
+    pub(crate) fn tiles(&self) -> Range<u32> {
+        let [across, down] = self.size.map(|pixels| pixels.div_ceil(SIDE));
+        0..across * down
+    }
+
+    /// The pixel at a place of a tile, if it is in the picture. In Morton's order, for samples have
+    /// that order.
+    #[inline]
     pub(crate) fn pixel(&self, tile: u32, place: u32) -> Option<[u32; 2]> {
-        let across = self.size[0].div_ceil(SIDE as u32);
+        let [width, height] = self.size;
+        let across = width.div_ceil(SIDE);
         let every_other = |bits: u32| bits & 1 | bits >> 1 & 2 | bits >> 2 & 4;
-        let pixel = [
-            tile % across * SIDE as u32 + every_other(place),
-            tile / across * SIDE as u32 + every_other(place >> 1),
-        ];
-        (pixel[0] < self.size[0] && pixel[1] < self.size[1]).then_some(pixel)
+        let x = SIDE * (tile % across) + every_other(place);
+        let y = SIDE * (tile / across) + every_other(place >> 1);
+        (x < width && y < height).then_some([x, y])
     }
 }
 
-/// The sums of `count` samples of each pixel of a tile.
-pub(crate) fn tile<S: Source>(view: &View, request: &Request, count: u32) -> Sums {
+/// [`tile`] of a source.
+pub(crate) type Tile = fn(&View, &Request, u32) -> [Vector; PIXELS];
+
+/// The sums of `count` samples of each pixel of a tile, those from the request's first on.
+pub(crate) fn tile<S: Source>(view: &View, request: &Request, count: u32) -> [Vector; PIXELS] {
     let mut source = S::new(request);
-    let mut sums = [[0.0; 3]; SIDE * SIDE];
+    let mut sums = [[0.0; 3]; PIXELS];
     for (place, sum) in (0..).zip(&mut sums) {
         let Some([x, y]) = view.pixel(request.tile, place) else { continue };
         source.pixel(x, y);

@@ -1,53 +1,63 @@
 //! Pictures of a source, rendered on all cores.
 
-use crate::path::{SIDE, Tile, View};
+use crate::path::{PIXELS, Tile, View};
 use crate::source::Request;
+use hemidisc::Error;
 use rayon::prelude::*;
 
+/// Mean light of the pixels of each tile.
+pub(crate) type Picture = Vec<[[f64; 3]; PIXELS]>;
+
 /// Samples of a pixel that are summed in f32.
-pub(crate) const PASS: u32 = 64;
+const PASS: u32 = 64;
 
-pub(crate) type Picture = Vec<[[f64; 3]; SIDE * SIDE]>;
+/// How often [`render`] visits each pixel.
+pub(crate) const fn passes(samples: u32) -> usize {
+    samples.div_ceil(PASS) as usize
+}
 
-/// The means of some samples of each pixel, by tiles; `step` is called after each pass.
+/// The means of some samples of each pixel; `step` is called after each pass.
+///
+/// # Errors
+/// For a picture without pixels or samples.
 pub(crate) fn render(
     view: &View,
     tile: Tile,
     seed: u32,
     samples: u32,
     step: &mut dyn FnMut(),
-) -> Picture {
-    let mut means = vec![[[0.0; 3]; SIDE * SIDE]; view.tiles().len()];
+) -> Result<Picture, Error> {
+    let request = Request::new(seed, view.size(), samples)?;
+    let mut means = vec![[[0.0; 3]; PIXELS]; view.tiles().len()];
     for first in (0..samples).step_by(PASS as usize) {
         let count = PASS.min(samples - first);
         means.par_iter_mut().zip(view.tiles()).for_each(|(means, at)| {
-            let request = Request { seed, size: view.size, samples, tile: at, first };
-            let sums = tile(view, &request, count);
+            let sums = tile(view, &Request { tile: at, first, ..request }, count);
             for (mean, sum) in means.iter_mut().flatten().zip(sums.iter().flatten()) {
                 *mean += f64::from(*sum) / f64::from(samples);
             }
         });
         step();
     }
-    means
+    Ok(means)
 }
-/// Pixels between two pictures.
-const GAP: usize = 4;
 
-/// Pictures of one size side by side, and the size.
-pub(crate) fn side_by_side(
-    pictures: &[Vec<[f64; 3]>],
-    [width, height]: [u32; 2],
-) -> ([u32; 2], Vec<[f64; 3]>) {
-    let gap = [[1.0; 3]; GAP];
-    let mut pixels = Vec::new();
-    for y in 0..height as usize {
-        for (at, picture) in pictures.iter().enumerate() {
-            if at > 0 {
-                pixels.extend(gap);
+/// Columns of white between two pictures.
+const GAP: u32 = 4;
+
+/// Pictures of a view side by side: the size, and the pixels by rows from the top.
+pub(crate) fn side_by_side(view: &View, pictures: &[Picture]) -> ([u32; 2], Vec<[f64; 3]>) {
+    let [width, height] = view.size();
+    let whole = (width + GAP) * pictures.len() as u32 - GAP;
+    let mut pixels = vec![[1.0; 3]; (whole * height) as usize];
+    for (left, picture) in (0..).step_by((width + GAP) as usize).zip(pictures) {
+        for (tile, means) in (0..).zip(picture) {
+            for (place, mean) in (0..).zip(means) {
+                if let Some([x, y]) = view.pixel(tile, place) {
+                    pixels[(y * whole + left + x) as usize] = *mean;
+                }
             }
-            pixels.extend(picture.chunks(width as usize).nth(y).unwrap_or_default());
         }
     }
-    ([(pixels.len() / height as usize) as u32, height], pixels)
+    ([whole, height], pixels)
 }

@@ -1,51 +1,60 @@
 //! Where the samples of a path come from.
 //!
-//! All sources give the same distributions, so the pictures have the same expected value. They
-//! differ in time, and in how evenly the samples of a pixel lie.
+//! All sources give the same distributions, so their pictures have the same expected value. They
+//! differ in time, and in how evenly the samples lie.
 
 mod blocks;
 mod formulas;
+mod one_by_one;
 mod rejection;
-mod sampler;
 
 pub(crate) use blocks::Blocks;
 pub(crate) use formulas::Formulas;
+pub(crate) use one_by_one::OneByOne;
 pub(crate) use rejection::Rejection;
-pub(crate) use sampler::OneByOne;
 
 use crate::vector::Vector;
-use hemidisc::{Domain, Screen};
+use hemidisc::screen::Pixel;
+use hemidisc::{Domain, Error, Screen};
 
-pub(crate) const SURFACE: u32 = 2;
-fn screen(r: &Request) -> Screen { Screen::new(Domain::new(r.seed), r.size, r.samples).unwrap() }
-
-/// What is asked for: some samples of each pixel of a row.
+/// What is asked of a source: samples of the pixels of a tile.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Request {
     pub(crate) seed: u32,
-    /// Width and height of the picture.
-    pub(crate) size: [u32; 2],
-    /// Of each pixel, over all requests.
-    pub(crate) samples: u32,
-    /// The tile
+    /// The picture, for as many samples of each pixel as it has.
+    pub(crate) screen: Screen,
+    /// Of the picture.
+    pub(crate) corner: Pixel,
     pub(crate) tile: u32,
     /// The first sample.
     pub(crate) first: u32,
 }
 
-/// A source of the samples of a row, from left to right. A path calls [`begin`](Self::begin), and
-/// [`bounce`](Self::bounce) before it draws at a surface.
+impl Request {
+    /// The first samples of the first tile.
+    ///
+    /// # Errors
+    /// For a picture without pixels or samples.
+    pub(crate) fn new(seed: u32, size: [u32; 2], samples: u32) -> Result<Self, Error> {
+        let screen = Screen::new(Domain::new(seed), size, samples)?;
+        Ok(Self { seed, screen, corner: screen.pixel(0, 0)?, tile: 0, first: 0 })
+    }
+}
+
+/// A source of samples. For each pixel that is asked for, [`pixel`](Self::pixel) is called, for each
+/// of its samples [`begin`](Self::begin), and for each surface that a path meets
+/// [`bounce`](Self::bounce) and at most one of the others.
 pub(crate) trait Source {
     fn new(request: &Request) -> Self;
 
     /// The pixel that the next paths are of.
     fn pixel(&mut self, x: u32, y: u32);
 
-    /// Begins the path of a sample of the pixel: a uniform point of [0, 1)^2, for the film, and one
-    /// of the unit disc, for the lens.
+    /// A path begins: a uniform point of [0, 1)^2, for the film, and one of the unit disc, for the
+    /// lens.
     fn begin(&mut self, sample: u32) -> [[f32; 2]; 2];
 
-    /// The path is at its next surface, where it draws at most once of what follows.
+    /// The path is at its next surface.
     fn bounce(&mut self);
 
     /// A direction about a normal, of density cos / pi.

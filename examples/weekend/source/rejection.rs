@@ -2,16 +2,18 @@
 
 use super::{Request, Source};
 use crate::vector::{Vector, along, dot, unit};
+use hemidisc::Domain;
 use rand::rngs::SmallRng;
 use rand::{RngExt, SeedableRng};
 
 #[derive(Debug)]
 pub(crate) struct Rejection(SmallRng);
 
-/// A generator for a row's samples from one on.
+/// A generator for samples of a tile.
 pub(super) fn generator(request: &Request) -> SmallRng {
     let Request { seed, tile, first, .. } = *request;
-    SmallRng::seed_from_u64(u64::from(seed) << 32 | u64::from(first) << 20 | u64::from(tile))
+    let [low, high] = Domain::new(seed).pixel(tile, first).to_words().map(u64::from);
+    SmallRng::seed_from_u64(high << 32 | low)
 }
 
 impl Rejection {
