@@ -165,7 +165,7 @@ fn samples_have_the_density() {
         };
         if e < 1.0 {
             let angle = mean(case, |point| 1.0 / (case.density)(point));
-            let limit = 4e-4 + 2.0 * case.shift(e);
+            let limit = 9e-4 + 2.0 * case.shift(e);
             assert!((angle / TAU - 1.0).abs() < limit, "{}: solid angle {angle}", case.name);
         }
         for narrow in [e, 1.5 * e + 0.5, 3.0 * e + 2.0] {
@@ -178,7 +178,7 @@ fn samples_have_the_density() {
                 };
                 let whole = mean(case, |point| other(point) / (case.density)(point));
                 let what = format!("{}: {whole} of a lobe of {narrow}, tilt {tilt}", case.name);
-                assert!((whole - 1.0).abs() < 1e-5 + 2.0 * case.shift(narrow), "{what}");
+                assert!((whole - 1.0).abs() < 3e-5 + 2.0 * case.shift(narrow), "{what}");
             }
         }
     });
