@@ -4,8 +4,8 @@
 //! Two-Dimensional Projections", 2008): polynomials x^2 + x + 1 and x^3 + x + 1, first numbers 1, 3
 //! and 1, 3, 1. A product takes the columns of four bits at a time from a table.
 
-/// For each dimension and each four bits of a reversed index, the lowest first: the sums of their
-/// columns, reversed.
+/// For each dimension and each four bits of an index, the lowest first: the sums of their columns,
+/// reversed.
 static COLUMNS: [[[u32; 16]; 8]; 2] = [columns(&[1, 3], 0b1), columns(&[1, 3, 1], 0b01)];
 
 /// The table of a dimension, from its first odd numbers and the inner coefficients of its
@@ -34,7 +34,7 @@ const fn columns(first: &[u32], inner: u32) -> [[u32; 16]; 8] {
     let mut table = [[0; 16]; 8];
     let mut bit = 0;
     while bit < 32 {
-        let column = numbers[31 - bit].reverse_bits();
+        let column = numbers[bit].reverse_bits();
         let mut bits = 0;
         while bits < 16 {
             if bits >> (bit % 4) & 1 == 1 {
@@ -47,13 +47,13 @@ const fn columns(first: &[u32], inner: u32) -> [[u32; 16]; 8] {
     table
 }
 
-/// The reversed coordinates of dimensions 2 and 3, counted from 0, at a reversed index.
+/// The reversed coordinates of dimensions 2 and 3, counted from 0, at an index.
 #[inline]
-pub(crate) const fn higher_dimensions(reversed: u32) -> [u32; 2] {
+pub(crate) const fn higher_dimensions(index: u32) -> [u32; 2] {
     let mut coordinates = [0; 2];
     let mut group = 0;
     while group < 8 {
-        let bits = (reversed >> (4 * group) & 15) as usize;
+        let bits = (index >> (4 * group) & 15) as usize;
         coordinates[0] ^= COLUMNS[0][group][bits];
         coordinates[1] ^= COLUMNS[1][group][bits];
         group += 1;

@@ -64,7 +64,7 @@ impl Sobol {
     #[must_use]
     #[inline]
     pub const fn joint(self, index: u32) -> [[u32; 2]; 2] {
-        let [w, x] = higher_dimensions(index.reverse_bits());
+        let [w, x] = higher_dimensions(index);
         let [_, second] = self.shift;
         let third = mix(second.rotate_left(13));
         let fourth = mix(third.rotate_left(13));

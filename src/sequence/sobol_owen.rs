@@ -74,6 +74,7 @@ impl SobolOwen {
     #[inline]
     pub const fn joint(self, index: u32) -> [[u32; 2]; 2] {
         let [u, v] = self.reversed(index);
+        // The reversed coordinate of dimension 0 is the shuffled index.
         let [w, x] = higher_dimensions(u);
         // The keys of a domain's first two are its state, mixed: so are these.
         let keys = to_words(finish(of_words([self.axes[0], self.order])));
