@@ -242,7 +242,13 @@ impl<A: Root> DiscLight<A> {
     pub fn density(&self, receiver: [A::Real; 3], direction: [A::Real; 3]) -> A::Real {
         match self.met(receiver, direction) {
             Some(Hit { distance, cosine, .. }) => {
-                positive(distance * distance / (self.area * cosine))
+                let [seen, square] = [self.area * cosine, distance * distance];
+                if seen >= A::Real::MIN_POSITIVE {
+                    positive(square / seen)
+                } else {
+                    // The product has lost digits, and cos t / d^2 has not.
+                    reciprocal(self.area * (cosine / square))
+                }
             }
             None => A::Real::ZERO,
         }

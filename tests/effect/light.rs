@@ -8,8 +8,9 @@ use hemidisc::effect::DiscLight;
 use hemidisc::sequence::{Random, SobolOwen};
 use hemidisc::{Error, Frame, LibmF64, Uniform};
 use hit::{
-    a_radiance_is_weighed_by_the_area, a_sampled_direction_hits_its_point,
-    no_ray_hits_where_no_light_arrives, weights_are_of_one_point,
+    a_density_keeps_its_digits_in_the_plane, a_radiance_is_weighed_by_the_area,
+    a_sampled_direction_hits_its_point, no_ray_hits_where_no_light_arrives,
+    weights_are_of_one_point,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -262,5 +263,6 @@ each_float!(
     a_plane_is_as_thick_as_coordinates_round far_from_the_origin_a_step_counts
     the_length_of_a_direction_does_not_count a_bad_radius_is_refused a_bad_centre_is_refused
     a_sampled_direction_hits_its_point no_ray_hits_where_no_light_arrives
-    a_radiance_is_weighed_by_the_area weights_are_of_one_point
+    a_density_keeps_its_digits_in_the_plane a_radiance_is_weighed_by_the_area
+    weights_are_of_one_point
 );

@@ -86,6 +86,23 @@ pub fn no_ray_hits_where_no_light_arrives<A: Float>() {
     assert_eq!(hit(&lamp::<A>(1.0, 0.0), below, [0.0, 0.0, 1.0]), None, "a point");
 }
 
+/// A direction's density keeps its digits where the product of area and cosine has none: d^2 / (area
+/// cos t), from a receiver nearly in the plane of a small light.
+pub fn a_density_keeps_its_digits_in_the_plane<A: Float>() {
+    let least: f64 = A::Real::MIN_POSITIVE.into();
+    let light = lamp::<A>(0.0, 2.0_f64.powi(-28));
+    let height = least * 1024.0;
+    let receiver = A::vector([0.0, 0.0, -height]);
+    for distance in [-29, -31, -35].map(|power| 2.0_f64.powi(power)) {
+        let direction = A::vector([1.0, 0.0, height / distance]);
+        let hit = light.hit(receiver, direction).unwrap();
+        let exact = distance.powi(3) / height / (PI * 2.0_f64.powi(-56));
+        assert_near(hit.density.into() / exact, 1.0, 16.0 * A::EPS, "of the hit");
+        let density: f64 = light.density(receiver, direction).into();
+        assert_near(density / exact, 1.0, 16.0 * A::EPS, "of the direction");
+    }
+}
+
 /// Radiance times the cosine and `radiance_weight` is irradiance, as by the lobe's own samples that
 /// hit the light, and as by both together: pi r^2 / (h^2 + r^2) on the axis.
 pub fn a_radiance_is_weighed_by_the_area<A: Float>() {
