@@ -257,15 +257,16 @@ pub trait Back {
     /// Density over directions, per steradian: (e + 1) z^e / (2 pi), and 0 below the horizon.
     fn power_density(exponent: Self::Exponent, direction: [Self::Real; 3]) -> Self::Real;
 
-    /// [`power_density`](Self::power_density), to be added to that of another direction: 0 where it
-    /// is less than a rounding error of the sum, which may be known without a power.
+    /// [`power_density`](Self::power_density) of a direction at a height z, to be added to that of
+    /// another one, whose x^2 + y^2 is less by `growth`: 0 where that is known to be less than a
+    /// rounding error of the sum.
     #[inline]
     fn power_density_beside(
         exponent: Self::Exponent,
-        direction: [Self::Real; 3],
-        _other: [Self::Real; 3],
+        _growth_and_z: [Self::Real; 2],
+        direction: impl FnOnce() -> [Self::Real; 3],
     ) -> Self::Real {
-        Self::power_density(exponent, direction)
+        Self::power_density(exponent, direction())
     }
 }
 

@@ -243,9 +243,9 @@ impl<T: Float> Back for T {
     #[inline]
     fn power_density_beside(
         exponent: PowerExponent<T::Real>,
-        direction: [T::Real; 3],
-        other: [T::Real; 3],
+        growth_and_z: [T::Real; 2],
+        direction: impl FnOnce() -> [T::Real; 3],
     ) -> T::Real {
-        power::density_beside::<T>(exponent, direction, other)
+        power::density_beside::<T>(exponent, growth_and_z, direction)
     }
 }

@@ -101,18 +101,20 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
         normal: Unit<A::Real>,
         uv: [u32; 2],
     ) -> Option<DirectionSample<A::Real>> {
-        let (normal, mirror) = mirrored(arriving, normal);
+        let mirror = Mirror::new(arriving, normal);
         let (local, mut density) = self.lobe.sample_with_density(uv);
-        let mut direction = mirror.to_world(local);
+        let mut direction = mirror.frame.to_world(local);
         let mut weight = A::Real::ONE;
-        let height = A::Real::dot(direction, normal);
+        let across = A::Real::dot(direction, normal.get());
+        let height = across * mirror.side;
         match self.below {
             BelowHorizon::Flip => {
-                let flipped = in_surface(direction, height, normal);
-                density = capped(density + self.density_beside(&mirror, flipped, local));
-                if height < A::Real::ZERO {
-                    direction = flipped;
-                }
+                let image = in_surface(direction, across, normal.get());
+                let others = self.density_of_image(&mirror, local[2], height, image);
+                density = capped(density + others);
+                // Half of the samples at a grazing angle: a product instead of a branch.
+                let lower = if height < A::Real::ZERO { across } else { A::Real::ZERO };
+                direction = in_surface(direction, lower, normal.get());
             }
             // Nothing is visible along the surface either.
             _ if height > A::Real::ZERO => {}
@@ -140,14 +142,15 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
         let Ok(direction) = Unit::normalized(direction).map(Unit::get) else {
             return A::Real::ZERO;
         };
-        let (normal, mirror) = mirrored(arriving, normal);
-        let height = A::Real::dot(direction, normal);
-        let local = mirror.to_local(direction);
+        let mirror = Mirror::new(arriving, normal);
+        let across = A::Real::dot(direction, normal.get());
+        let height = across * mirror.side;
+        let local = mirror.frame.to_local(direction);
         match self.below {
             // A flipped direction may have rounded to the other side again.
             BelowHorizon::Flip if height >= -(A::Real::EPSILON * A::Real::FOUR) => {
-                let flipped = in_surface(direction, height, normal);
-                let others = self.density_beside(&mirror, flipped, local);
+                let image = in_surface(direction, across, normal.get());
+                let others = self.density_of_image(&mirror, local[2], height, image);
                 capped(self.lobe.density(local) + others)
             }
             BelowHorizon::Zero => self.lobe.density(local),
@@ -157,20 +160,24 @@ impl<A: Arithmetic<Real: Real>> Glossy<A> {
     }
 
     /// The lobe's density of a direction's image in the surface, to be added to that of the
-    /// direction, `local` about the mirror direction. Most images are behind the lobe's horizon, or
-    /// so far from its axis that the sum would not show them: no power is taken of those.
+    /// direction, whose height about the lobe's axis is z. Most images are behind the lobe's horizon,
+    /// or too dim for the sum to show: they are not turned to the lobe, and no power is taken of
+    /// them.
+    ///
+    /// With the heights h of the direction and c of the axis above the surface, z of the image is
+    /// less by 2 h c. So its x^2 + y^2 is more by 4 h c (z - h c), in which a narrow lobe loses few
+    /// digits: h and c are small where its images count.
     #[inline]
-    fn density_beside(
+    fn density_of_image(
         &self,
-        mirror: &Frame<A::Real>,
+        mirror: &Mirror<A::Real>,
+        z: A::Real,
+        height: A::Real,
         image: [A::Real; 3],
-        local: [A::Real; 3],
     ) -> A::Real {
-        if A::Real::dot(mirror.unit().get(), image) > A::Real::ZERO {
-            self.lobe.density_beside(mirror.to_local(image), local)
-        } else {
-            A::Real::ZERO
-        }
+        let lower = height * mirror.height;
+        let growth = A::Real::FOUR * lower * (z - lower);
+        self.lobe.density_beside([growth, z - (lower + lower)], || mirror.frame.to_local(image))
     }
 }
 
@@ -208,15 +215,26 @@ impl<A: Root> Glossy<A> {
     }
 }
 
-/// The normal on the side of arrival, and a frame about the mirror direction a - 2 (a n) n.
-#[inline]
-fn mirrored<R: Real>(arriving: Unit<R>, normal: Unit<R>) -> ([R; 3], Frame<R>) {
-    let cosine = R::dot(arriving.get(), normal.get());
-    let mirror = in_surface(arriving.get(), cosine, normal.get());
-    let normal = if cosine > R::ZERO { -normal } else { normal };
-    // The lengths of both count in that of the mirror direction, which is not zero.
-    let mirror = Unit::normalized(mirror).unwrap_or(normal);
-    (normal.get(), Frame::from(mirror))
+/// The mirror direction a - 2 (a n) n.
+struct Mirror<R> {
+    frame: Frame<R>,
+    /// Its height above the surface, on the side of arrival.
+    height: R,
+    /// The sign of heights on the side of arrival: 1 or -1.
+    side: R,
+}
+
+impl<R: Real> Mirror<R> {
+    /// Without a branch: light may come from either side.
+    #[inline]
+    fn new(arriving: Unit<R>, normal: Unit<R>) -> Self {
+        let across = R::dot(arriving.get(), normal.get());
+        // The lengths of both count in that of the mirror direction.
+        let mirror = Unit::polished(in_surface(arriving.get(), across, normal.get()));
+        // A difference has no negative zero: along the surface the side is the normal's.
+        let side = R::ONE.with_sign(R::ZERO - across);
+        Self { frame: Frame::from(mirror), height: across.magnitude(), side }
+    }
 }
 
 /// A vector's image in the surface, of its height above it.

@@ -58,7 +58,7 @@ impl<R: Real> Frame<R> {
     pub fn from_axes(x: [R; 3], y: [R; 3]) -> Result<Self, Error> {
         let x = Unit::normalized(x)?.get();
         let y = across(Unit::normalized(y)?.get(), x)?;
-        Self::with_tangent(renewed(cross(x, y))?, x)
+        Self::with_tangent(Unit::polished(cross(x, y)), x)
     }
 
     /// The frame of a camera: z ahead, x to the right and y down in the image, where `up` is up. It
@@ -115,12 +115,7 @@ fn across<R: Real>(vector: [R; 3], axis: [R; 3]) -> Result<[R; 3], Error> {
     // Twice is enough: what rounding has left along the axis is small beside the first rest, but
     // may not be beside 1 (B. Parlett, "The Symmetric Eigenvalue Problem", 1980).
     let once = Unit::normalized(rest)?.get();
-    Ok(renewed(rejected(once, axis))?.get())
-}
-
-/// The direction of a vector within 2 ulp, where [`Unit::normalized`] keeps what is within 16.
-fn renewed<R: Real>(vector: [R; 3]) -> Result<Unit<R>, Error> {
-    Unit::normalized(vector.map(|x| x + x))
+    Ok(Unit::polished(rejected(once, axis)).get())
 }
 
 /// What is left of a vector across another. A unit vector's length is within 8 ulp of 1, which a

@@ -224,10 +224,15 @@ impl<A: Arithmetic, D> Hemisphere<PowerLobe<A>, D> {
 }
 
 impl<A: Arithmetic, D> Hemisphere<PowerLobe<A>, D> {
-    /// The density of a direction, to be added to that of another: 0 where it would not be seen.
+    /// The density of a direction at a height z, to be added to that of another, whose x^2 + y^2 is
+    /// less by `growth`: 0 where the sum would not show it.
     #[inline]
-    pub(crate) fn density_beside(&self, direction: Direction<A>, other: Direction<A>) -> A::Real {
-        A::Back::power_density_beside(self.lobe.prepared().into(), direction, other)
+    pub(crate) fn density_beside(
+        &self,
+        growth_and_z: [A::Real; 2],
+        direction: impl FnOnce() -> Direction<A>,
+    ) -> A::Real {
+        A::Back::power_density_beside(self.lobe.prepared().into(), growth_and_z, direction)
     }
 }
 

@@ -136,24 +136,23 @@ pub(super) fn density<T: Float>(
     exponent.peak() * T::exp(log)
 }
 
-/// The density of a direction, to be added to that of another one: 0 where the sum would round to
-/// the other's.
+/// The density of a direction at a height z, to be added to that of another one, whose s^2 =
+/// x^2 + y^2 is less by `growth`: 0 below the horizon, and where the sum would round to the other's.
+/// No power is taken of those.
 ///
-/// With s^2 = x^2 + y^2 the ratio of the two is (1 - (s^2 - s_other^2) / z_other^2)^(e / 2), at most
-/// exp(-e / 2 (s^2 - s_other^2)) for e > 0.
+/// The ratio of the two is (1 - growth / z_other^2)^(e / 2), at most exp(-e growth / 2) for e > 0.
 #[inline]
 pub(super) fn density_beside<T: Float>(
     exponent: PowerExponent<T::Real>,
-    direction: [T::Real; 3],
-    other: [T::Real; 3],
+    [growth, z]: [T::Real; 2],
+    direction: impl FnOnce() -> [T::Real; 3],
 ) -> T::Real {
-    let [s2, least] = [direction, other].map(|[x, y, _]| length_squared(x, y));
-    let e = exponent.e;
-    if e > T::Real::ZERO && e * (s2 - least) > T::Real::TWO * T::Real::UNSEEN {
-        T::Real::ZERO
-    } else {
-        density::<T>(exponent, direction)
-    }
+    let e = if exponent.e > T::Real::ZERO { exponent.e } else { T::Real::ZERO };
+    let seen = T::Real::UNSEEN - e * growth * T::Real::HALF;
+    // The smaller of the two, for one branch: most directions are below the horizon or dim, and it
+    // is not known ahead which.
+    let seen = if z < seen { z } else { seen };
+    if seen > T::Real::ZERO { density::<T>(exponent, direction()) } else { T::Real::ZERO }
 }
 
 #[cfg(all(test, feature = "libm"))]

@@ -86,6 +86,7 @@ pub trait RealKernel: Copy + sealed::Sealed {
     fn dot(a: [Self; 3], b: [Self; 3]) -> Self;
     fn unit(vector: [Self; 3]) -> Result<[Self; 3], Error>;
     fn normalized(vector: [Self; 3]) -> Result<[Self; 3], Error>;
+    fn normal(vector: [Self; 3]) -> Result<[Self; 3], Error>;
     fn basis(z: [Self; 3]) -> [[Self; 3]; 2];
     fn checked_distance(distance: Self) -> Result<Self, Error>;
     fn nearness(radius: Self, focal_distance: Self) -> Result<Self, Error>;
@@ -188,13 +189,17 @@ macro_rules! real {
             fn dot(a: [Self; 3], b: [Self; 3]) -> Self {
                 vector::$float::dot(a, b)
             }
-            #[inline]
+            #[inline(always)]
             fn unit(vector: [Self; 3]) -> Result<[Self; 3], Error> {
                 vector::$float::unit(vector)
             }
-            #[inline]
+            #[inline(always)]
             fn normalized(vector: [Self; 3]) -> Result<[Self; 3], Error> {
                 vector::$float::normalized(vector)
+            }
+            #[inline(always)]
+            fn normal(vector: [Self; 3]) -> Result<[Self; 3], Error> {
+                vector::$float::normal(vector)
             }
             #[inline(always)]
             fn basis(z: [Self; 3]) -> [[Self; 3]; 2] {
