@@ -109,6 +109,22 @@ pub trait Arithmetic:
     #[doc(hidden)]
     fn polar(uv: [u32; 2]) -> Self::Disc;
 
+    /// [`concentric`](Self::concentric) as a lane of a block: in the form that becomes vector code.
+    #[must_use]
+    #[doc(hidden)]
+    #[inline(always)]
+    fn concentric_lane(uv: [u32; 2]) -> Self::Disc {
+        Self::concentric(uv)
+    }
+
+    /// [`polar`](Self::polar) as a lane of a block.
+    #[must_use]
+    #[doc(hidden)]
+    #[inline(always)]
+    fn polar_lane(uv: [u32; 2]) -> Self::Disc {
+        Self::polar(uv)
+    }
+
     /// Rounds a point of the disc to the stored type, inward where it would leave the disc.
     #[doc(hidden)]
     fn store(disc: Self::Disc) -> [Self::Real; 2];
@@ -280,6 +296,9 @@ pub trait DiscKernel {
 
     /// The point before rounding.
     fn disc(uv: [u32; 2]) -> Self::Disc;
+
+    /// The same as a lane of a block.
+    fn lane(uv: [u32; 2]) -> Self::Disc;
 
     /// The point as it is stored.
     fn point(uv: [u32; 2]) -> [Self::Real; 2];

@@ -27,9 +27,36 @@ macro_rules! where_floats_round {
 }
 pub(crate) use where_floats_round;
 
-/// Whether a branch costs less than the operations that avoid it: where nothing becomes vector
-/// code. With branches the kernels of fast f32 take a third fewer instructions on the M3 and M4F.
-pub(crate) const BRANCHES: bool = !BLOCKED;
+/// How the kernels of fast f32 are written. The bits are the same.
+pub(crate) mod form {
+    /// For a lane of a block, which becomes vector code: no branch, and only what vectors have.
+    pub(crate) const LANE: u8 = 0;
+    /// For a point alone on a processor of 64-bit words: no branch either, for half of them would be
+    /// mispredicted.
+    pub(crate) const WORDS: u8 = 1;
+    /// For a small core. It has no vectors, and a branch costs it less than the swap or test that it
+    /// avoids. With branches the kernels take a third fewer instructions on the M3 and M4F.
+    pub(crate) const BRANCHES: u8 = 2;
+    /// For a point alone, here.
+    pub(crate) const ONE: u8 = if !super::BLOCKED {
+        BRANCHES
+    } else if super::WIDE_WORDS {
+        WORDS
+    } else {
+        LANE
+    };
+}
+
+/// Whether a conversion from an integer waits for whoever wrote its register last: x86-64 before AVX,
+/// whose instruction keeps the register's upper part. In a function of its own that is the call
+/// before, for there the compiler does not clear the register. The calls then hardly overlap.
+pub(crate) const CONVERSIONS_WAIT: bool =
+    cfg!(all(target_arch = "x86_64", not(target_feature = "avx")));
+
+/// Whether floats have instructions. Where stable Rust does not show that they have, as on RV32F,
+/// square roots by integers have the same bits.
+pub(crate) const HAS_FPU: bool =
+    cfg!(not(any(all(target_arch = "arm", not(target_abi = "eabihf")), target_arch = "riscv32")));
 
 /// Whether the processor lacks the product of 32 x 32 bits to 64: Armv6-M and the baseline of
 /// Armv8-M (Cortex-M0 and M23).

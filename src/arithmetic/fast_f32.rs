@@ -28,17 +28,19 @@ mod back;
 mod disc;
 mod functions;
 mod lobes;
+mod root;
 #[cfg(test)]
 mod tests;
 
 use super::{Arithmetic, DiscPoint, KernelOf, Root, sealed::Sealed};
 use crate::block::{Block, Lanes};
 use crate::error::Error;
-use crate::target::{BRANCHES, ROUNDS_FLOATS, where_floats_round};
+use crate::target::form::{LANE, ONE};
+use crate::target::{ROUNDS_FLOATS, where_floats_round};
 use back::Functions;
 use disc::FastDisc;
-use functions::normal_sqrt;
 use lobes::FastExponent;
+use root::{now, root};
 
 /// `f32` with its own polynomials: the fastest on a core with an FPU, above all in vectors.
 ///
@@ -61,14 +63,14 @@ where_floats_round! {
         #[must_use]
         #[inline(always)]
         pub const fn concentric(uv: [u32; 2]) -> [f32; 2] {
-            disc::concentric::<BRANCHES>(uv).point
+            disc::concentric::<ONE>(uv).point
         }
 
         /// The polar map: what [`Polar`](crate::Polar) gives, as a `const fn`.
         #[must_use]
         #[inline(always)]
         pub const fn polar(uv: [u32; 2]) -> [f32; 2] {
-            disc::polar::<BRANCHES>(uv).point
+            Self::disc_polar(uv).point
         }
 
         /// Square root of x in [0, MAX], which `core` does not have.
@@ -80,30 +82,28 @@ where_floats_round! {
     }
 }
 
-/// The kernels, as `const` functions.
+/// The kernels, as `const` functions: with roots that constants can have.
 impl FastF32 {
     #[inline(always)]
     pub(crate) const fn disc_concentric(uv: [u32; 2]) -> FastDisc {
-        disc::concentric::<BRANCHES>(uv)
+        disc::concentric::<ONE>(uv)
     }
 
     #[inline(always)]
     pub(crate) const fn disc_polar(uv: [u32; 2]) -> FastDisc {
-        disc::polar::<BRANCHES>(uv)
+        let squares = disc::squares::<ONE>(uv);
+        disc::polar::<ONE>(uv, squares, root(squares[0]))
     }
 
-    /// sin^2 theta = 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)).
     #[inline(always)]
     pub(crate) const fn lift_uniform(disc: FastDisc) -> [f32; 3] {
-        let sin = disc::root_to_1(disc.r2 * (1.0 + disc.one_minus_r2));
-        let [x, y] = disc.place_at::<BRANCHES>(sin);
-        [x, y, disc.one_minus_r2]
+        disc.uniform_at(root(disc.uniform_square()))
     }
 
     #[inline(always)]
     pub(crate) const fn lift_cosine(disc: FastDisc) -> [f32; 3] {
         let [x, y] = disc.point;
-        [x, y, normal_sqrt(disc.one_minus_r2)]
+        [x, y, root(disc.one_minus_r2)]
     }
 
     pub(crate) const fn prepared(e: f32) -> Result<FastExponent, Error> {
@@ -112,7 +112,8 @@ impl FastF32 {
 
     #[inline(always)]
     pub(crate) const fn lift_power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
-        lobes::power(exponent, disc)
+        let [square, z] = lobes::power(exponent, disc);
+        lobes::powered(exponent, disc, root(square), z)
     }
 }
 
@@ -121,12 +122,12 @@ impl Sealed for FastF32 {}
 impl Root for FastF32 {
     #[inline(always)]
     fn sqrt(x: f32) -> f32 {
-        functions::sqrt(x)
+        if x >= f32::MIN_POSITIVE { now(x) } else { functions::sqrt(x) }
     }
 
     #[inline(always)]
     fn disc_point(disc: FastDisc) -> DiscPoint<f32> {
-        let direction = disc.place_at::<BRANCHES>(1.0);
+        let direction = disc.place_at::<ONE>(1.0, 1.0);
         DiscPoint { direction, r2: disc.r2, one_minus_r2: disc.one_minus_r2 }
     }
 }
@@ -159,8 +160,20 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
+    fn concentric_lane(uv: [u32; 2]) -> FastDisc {
+        disc::concentric::<LANE>(uv)
+    }
+
+    #[inline(always)]
     fn polar(uv: [u32; 2]) -> FastDisc {
-        Self::disc_polar(uv)
+        let squares = disc::squares::<ONE>(uv);
+        disc::polar::<ONE>(uv, squares, now(squares[0]))
+    }
+
+    #[inline(always)]
+    fn polar_lane(uv: [u32; 2]) -> FastDisc {
+        let squares = disc::squares::<LANE>(uv);
+        disc::polar::<LANE>(uv, squares, now(squares[0]))
     }
 
     #[inline(always)]
@@ -175,7 +188,7 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn uniform(disc: FastDisc) -> [f32; 3] {
-        Self::lift_uniform(disc)
+        disc.uniform_at(now(disc.uniform_square()))
     }
 
     #[inline(always)]
@@ -185,7 +198,8 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn cosine(disc: FastDisc) -> [f32; 3] {
-        Self::lift_cosine(disc)
+        let [x, y] = disc.point;
+        [x, y, now(disc.one_minus_r2)]
     }
 
     #[inline(always)]
@@ -203,7 +217,8 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
-        Self::lift_power(exponent, disc)
+        let [square, z] = lobes::power(exponent, disc);
+        lobes::powered(exponent, disc, now(square), z)
     }
 
     #[inline(always)]

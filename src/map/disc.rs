@@ -78,7 +78,7 @@ pub struct Concentric<A>(PhantomData<A>);
 
 /// A disc map whose kernels are the arithmetic's functions of the same names.
 macro_rules! disc_map {
-    ($map:ident, $kernel:ident, $point:ident, $invert:ident) => {
+    ($map:ident, $kernel:ident, $lane:ident, $point:ident, $invert:ident) => {
         impl<A> $map<A> {
             /// The map; it has no parameters.
             #[must_use]
@@ -138,6 +138,12 @@ macro_rules! disc_map {
                 }
 
                 #[inline(always)]
+                fn lane(uv: [u32; 2]) -> A::Disc {
+                    assert_rounds::<A>();
+                    A::$lane(uv)
+                }
+
+                #[inline(always)]
                 fn point(uv: [u32; 2]) -> [A::Real; 2] {
                     assert_rounds::<A>();
                     A::$point(uv)
@@ -160,5 +166,5 @@ macro_rules! disc_map {
         };
     };
 }
-disc_map!(Polar, polar, polar_point, invert_polar);
-disc_map!(Concentric, concentric, concentric_point, invert_concentric);
+disc_map!(Polar, polar, polar_lane, polar_point, invert_polar);
+disc_map!(Concentric, concentric, concentric_lane, concentric_point, invert_concentric);

@@ -4,6 +4,7 @@
 use super::disc::gaps;
 use super::functions::{LN_MIN, exp, ln_complement, sqrt};
 use crate::arithmetic::float::Float;
+use crate::target::form::BRANCHES;
 
 /// The functions as the generic kernels take them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -47,12 +48,12 @@ impl Float for Functions {
 
     #[inline]
     fn ln(x: f32) -> f32 {
-        ln_complement(1.0 - x, x)
+        ln_complement::<BRANCHES>(1.0 - x, x)
     }
 
     #[inline]
     fn ln_1p(x: f32) -> f32 {
-        ln_complement(-x, 1.0 + x)
+        ln_complement::<BRANCHES>(-x, 1.0 + x)
     }
 
     #[inline]
@@ -61,15 +62,15 @@ impl Float for Functions {
             0.0
         } else if x > 88.0 {
             // Halved, so that 2^k is in range up to the last.
-            let [root, _] = exp(if x < 90.0 { x * 0.5 } else { 45.0 }, 0.0);
+            let [root, _] = exp(if x < 90.0 { x * 0.5 } else { 45.0 });
             root * root
         } else {
-            exp(x, 0.0)[0]
+            exp(x)[0]
         }
     }
 
     #[inline]
     fn exp_m1(x: f32) -> f32 {
-        -exp(if x > LN_MIN { x } else { LN_MIN }, 0.0)[1]
+        -exp(if x > LN_MIN { x } else { LN_MIN })[1]
     }
 }

@@ -6,11 +6,11 @@
 //! times as fast as one loop, and more for the power lobe. A pass recomputes what is cheap, such as
 //! a sign; the compiler removes the parts of a point that it does not use.
 
-use super::functions::normal_sqrt;
 use crate::arithmetic::DiscKernel;
 use crate::block::{BLOCK, Block, Lanes};
 use crate::coordinates::{Angle, fold, fold_angle};
-use crate::target::BRANCHES;
+use crate::target::form::{BRANCHES, LANE, ONE, WORDS};
+use crate::target::{CONVERSIONS_WAIT, HAS_FPU};
 
 /// 1 - cos(pi/4 t) and 1 - sin(pi/4 t) / t from q = t^2 in [0, 1].
 ///
@@ -51,10 +51,18 @@ pub(super) struct Place {
 
 const SIGN: u32 = 0x8000_0000;
 
-/// n + 1/2 for n < 2^31. Every target converts signed integers alike, and in vectors.
+/// (n + 1/2) / 2^BITS for n < 2^31. Every target converts signed integers alike, and in vectors.
 #[inline(always)]
-const fn centre(n: u32) -> f32 {
-    n.cast_signed() as f32 + 0.5
+pub(super) const fn centre<const FORM: u8, const BITS: u32>(n: u32) -> f32 {
+    let scale = 1.0 / (1_u64 << BITS) as f32;
+    if FORM == WORDS && CONVERSIONS_WAIT {
+        // The halves of n become mantissa bits of 2^(39 - BITS) and 2^(23 - BITS).
+        let [high, low] = [(127 + 39 - BITS) << 23, (127 + 23 - BITS) << 23];
+        let powers = f32::from_bits(high) + f32::from_bits(low);
+        let high = f32::from_bits(high | n >> 16) - powers;
+        return (high + f32::from_bits(low | n & 0xffff)) + 0.5 * scale;
+    }
+    (n.cast_signed() as f32 + 0.5) * scale
 }
 
 /// (2k + 1) / 2^33 with some low bits of 2k + 1 cleared, correctly rounded.
@@ -70,8 +78,22 @@ const fn halves(k: u32, cleared: u32) -> f32 {
 
 /// (2k + 1) / 2^33 correctly rounded.
 #[inline(always)]
-pub(super) const fn centre_nearest(k: u32) -> f32 {
-    halves(k, 0)
+pub(super) const fn centre_nearest<const FORM: u8>(k: u32) -> f32 {
+    if FORM == LANE || FORM == WORDS && CONVERSIONS_WAIT {
+        return halves(k, 0);
+    }
+    if FORM == WORDS {
+        return (2 * k as i64 + 1) as f32 * (1.0 / 8_589_934_592.0);
+    }
+    // 2k + 1 where it fits, or else k with the half that it lacks as its lowest bit, which only says
+    // to which side of a float and of the middle of two the number is.
+    let (n, exponent) = if k < 1 << 31 { (2 * k + 1, 33) } else { (k | 1, 32) };
+    let n = n as f32;
+    if HAS_FPU {
+        n * if exponent == 33 { 1.0 / 8_589_934_592.0 } else { 1.0 / 4_294_967_296.0 }
+    } else {
+        f32::from_bits(n.to_bits() - (exponent << 23))
+    }
 }
 
 /// (2k + 1) / 2^33 toward zero.
@@ -99,124 +121,191 @@ const fn exchanged(mask: u32, [a, b]: [f32; 2]) -> [f32; 2] {
 /// The square of the length is computed to 5/4 eps, so a point left alone is inside. A point
 /// outside is so by less than the step, as the test of the rims proves.
 #[inline(always)]
-const fn inward([x, y]: [f32; 2]) -> [f32; 2] {
+pub(super) const fn inward([x, y]: [f32; 2]) -> [f32; 2] {
     let near = (x * x + y * y > 1.0 - f32::EPSILON) as u32;
     [f32::from_bits(x.to_bits() - near), f32::from_bits(y.to_bits() - near)]
 }
 
+#[inline(always)]
+const fn joined([low, high]: [u32; 2]) -> u64 {
+    (high as u64) << 32 | low as u64
+}
+
 /// Two magnitudes with the signs of two words.
 #[inline(always)]
-const fn signed<const BRANCHES: bool>([x, y]: [f32; 2], signs: [u32; 2]) -> [f32; 2] {
+const fn signed<const FORM: u8>([x, y]: [f32; 2], signs: [u32; 2]) -> [f32; 2] {
     // They have no sign yet. If the compiler sees that, Arm inserts a magnitude into a word in one
     // instruction.
-    let (x, y) = if BRANCHES { (x.abs(), y.abs()) } else { (x, y) };
+    let (x, y) = if FORM == BRANCHES { (x.abs(), y.abs()) } else { (x, y) };
     [f32::from_bits(signs[0] & SIGN | x.to_bits()), f32::from_bits(signs[1] & SIGN | y.to_bits())]
 }
 
 impl Place {
-    /// A point of the octant in its place.
+    /// A point of the octant in its place. If not `at_rim`, it is inside by more than all errors, and
+    /// a branch skips the exact test.
     #[inline(always)]
-    const fn placed(self, point: [f32; 2]) -> [f32; 2] {
-        signed::<false>(exchanged(self.swap, inward(point)), self.signs)
+    const fn placed<const FORM: u8>(self, point: [f32; 2], at_rim: bool) -> [f32; 2] {
+        let Self { swap, signs } = self;
+        if FORM == LANE {
+            return signed::<FORM>(exchanged(swap, inward(point)), signs);
+        }
+        let [x, y] = if at_rim { inward(point) } else { point };
+        // Both components in a word: one rotation, and one store.
+        let word = joined([x.to_bits(), y.to_bits()]).rotate_left(swap & 32)
+            | joined([signs[0] & SIGN, signs[1] & SIGN]);
+        [f32::from_bits(word as u32), f32::from_bits((word >> 32) as u32)]
     }
 
-    /// The point of larger - larger cos and smaller - smaller sin. If not `at_rim`, it is inside by
-    /// more than all errors, and a branch skips the exact test.
+    /// The point of larger - larger cos and smaller - smaller sin.
     #[inline(always)]
-    const fn put<const BRANCHES: bool>(
+    const fn put<const FORM: u8>(
         self,
         [larger, smaller]: [f32; 2],
         [cos, sin]: [f32; 2],
         at_rim: bool,
     ) -> [f32; 2] {
-        let Self { swap, signs } = self;
-        if !BRANCHES {
-            return self.placed([larger - larger * cos, smaller - smaller * sin]);
+        if FORM != BRANCHES {
+            let point = [larger - larger * cos, smaller - smaller * sin];
+            return self.placed::<FORM>(point, at_rim);
         }
         // Computed in its place: swapping two results would cost Arm five instructions.
-        let point = if swap == 0 {
+        let point = if self.swap == 0 {
             [larger - larger * cos, smaller - smaller * sin]
         } else {
             [smaller - smaller * sin, larger - larger * cos]
         };
-        signed::<BRANCHES>(if at_rim { inward(point) } else { point }, signs)
+        self.branched(point, at_rim)
+    }
+
+    /// The point at a distance in a direction of the octant.
+    #[inline(always)]
+    const fn at<const FORM: u8>(self, distance: f32, [x, y]: [f32; 2], at_rim: bool) -> [f32; 2] {
+        if FORM != BRANCHES {
+            return self.placed::<FORM>([distance * x, distance * y], at_rim);
+        }
+        let point = if self.swap == 0 {
+            [distance * x, distance * y]
+        } else {
+            [distance * y, distance * x]
+        };
+        self.branched(point, at_rim)
+    }
+
+    /// A point that was computed in its place, with its signs.
+    #[inline(always)]
+    const fn branched(self, point: [f32; 2], at_rim: bool) -> [f32; 2] {
+        signed::<BRANCHES>(if at_rim { inward(point) } else { point }, self.signs)
     }
 }
 
 /// The square [-1, 1]^2, for coordinates inside the disc.
 #[inline(always)]
 pub(super) const fn centred([u, v]: [u32; 2]) -> [f32; 2] {
-    const SCALE: f32 = 1.0 / 2_147_483_648.0;
     let ((m_u, _), (m_v, _)) = (fold(u), fold(v));
-    let point = inward([centre(m_u) * SCALE, centre(m_v) * SCALE]);
-    signed::<BRANCHES>(point, [u ^ SIGN, v ^ SIGN])
+    let point = inward([centre::<ONE, 31>(m_u), centre::<ONE, 31>(m_v)]);
+    signed::<ONE>(point, [u ^ SIGN, v ^ SIGN])
 }
 
 #[inline(always)]
-pub(super) const fn concentric<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDisc {
+pub(super) const fn concentric<const FORM: u8>([u, v]: [u32; 2]) -> FastDisc {
     let ((m_u, _), (m_v, _)) = (fold(u), fold(v));
     let signs = [u ^ SIGN, v ^ SIGN];
     let steep = m_v.cast_signed() > m_u.cast_signed();
-    if !BRANCHES {
+    if FORM != BRANCHES {
         let swap = mask(steep);
         let major = m_u ^ (m_u ^ m_v) & swap;
         // Rounding is monotonic, and the larger of two floats takes one operation.
-        let (a, b) = (centre(m_u), centre(m_v));
+        let (a, b) = (centre::<FORM, 31>(m_u), centre::<FORM, 31>(m_v));
         let magnitudes = [if a > b { a } else { b }, if a > b { b } else { a }];
-        return at::<BRANCHES>(major, magnitudes, Place { swap, signs });
+        return at::<FORM>(major, magnitudes, Place { swap, signs });
     }
     // The code is there twice, so that nothing is swapped.
     if steep {
-        at::<BRANCHES>(m_v, [centre(m_v), centre(m_u)], Place { swap: !0, signs })
+        let magnitudes = [centre::<FORM, 31>(m_v), centre::<FORM, 31>(m_u)];
+        at::<FORM>(m_v, magnitudes, Place { swap: !0, signs })
     } else {
-        at::<BRANCHES>(m_u, [centre(m_u), centre(m_v)], Place { swap: 0, signs })
+        let magnitudes = [centre::<FORM, 31>(m_u), centre::<FORM, 31>(m_v)];
+        at::<FORM>(m_u, magnitudes, Place { swap: 0, signs })
     }
 }
 
 /// The point of a larger and a smaller magnitude, as floats, and of the larger as an integer.
 #[inline(always)]
-const fn at<const BRANCHES: bool>(major: u32, [a, b]: [f32; 2], place: Place) -> FastDisc {
-    const SCALE: f32 = 1.0 / 2_147_483_648.0;
+const fn at<const FORM: u8>(major: u32, [a, b]: [f32; 2], place: Place) -> FastDisc {
     let t = b / a;
     let gaps = gaps(t * t);
-    let ends = [a * SCALE, b * SCALE];
-    let [larger, _] = ends;
-    let one_minus_r = centre(0x7fff_ffff - major) * SCALE;
-    let (r2, one_minus_r2) = (larger * larger, one_minus_r * (2.0 - one_minus_r));
+    let ends = [a, b];
+    let one_minus_r = centre::<FORM, 31>(0x7fff_ffff - major);
+    let (r2, one_minus_r2) = (a * a, one_minus_r * (2.0 - one_minus_r));
     // r >= 1 - 16 eps.
     let at_rim = major >= 0x7fff_f800;
-    let point = place.put::<BRANCHES>(ends, gaps, at_rim);
+    let point = place.put::<FORM>(ends, gaps, at_rim);
     FastDisc { point, t, gaps, ends, place, r2, one_minus_r2 }
 }
 
+/// r^2 and 1 - r^2 of the polar map.
 #[inline(always)]
-pub(super) const fn polar<const BRANCHES: bool>([u, v]: [u32; 2]) -> FastDisc {
+pub(super) const fn squares<const FORM: u8>([_, v]: [u32; 2]) -> [f32; 2] {
+    [centre_nearest::<FORM>(v), centre_nearest::<FORM>(!v)]
+}
+
+/// The polar map from r^2, 1 - r^2 and r. The root is the caller's, who knows whether it is for a
+/// constant.
+#[inline(always)]
+pub(super) const fn polar<const FORM: u8>(
+    [u, v]: [u32; 2],
+    [r2, one_minus_r2]: [f32; 2],
+    r: f32,
+) -> FastDisc {
     let Angle { left, steep: swap, within, .. } = fold_angle(u);
-    let t = centre(within) * (1.0 / 536_870_912.0);
-    let (r2, one_minus_r2) = (centre_nearest(v), centre_nearest(!v));
-    let r = normal_sqrt(r2);
+    let t = centre::<FORM, 29>(within);
     let gaps = gaps(t * t);
     let place = Place { swap, signs: [left, u] };
     // r^2 >= 1 - 16 eps.
     let at_rim = v >= 0xffff_f000;
     let ends = [r, r * t];
-    let point = place.put::<BRANCHES>(ends, gaps, at_rim);
+    let point = place.put::<FORM>(ends, gaps, at_rim);
     FastDisc { point, t, gaps, ends, place, r2, one_minus_r2 }
 }
 
 impl FastDisc {
     /// The point at r and phi = pi/4 t.
     #[cfg(test)]
-    pub(super) const fn at_fraction<const BRANCHES: bool>(r: f32, t: f32) -> [f32; 2] {
+    pub(super) const fn at_fraction<const FORM: u8>(r: f32, t: f32) -> [f32; 2] {
         let place = Place { swap: 0, signs: [0; 2] };
-        place.put::<BRANCHES>([r, r * t], gaps(t * t), at_rim(r))
+        place.put::<FORM>([r, r * t], gaps(t * t), at_rim(r))
     }
 
-    /// The point in the same direction at another distance.
+    /// The same of a lobe.
+    #[cfg(test)]
+    pub(super) const fn lobe_at_fraction<const FORM: u8>(r: f32, t: f32) -> [f32; 2] {
+        Place { swap: 0, signs: [0; 2] }.at::<FORM>(r, direction(t), at_rim(r))
+    }
+
+    /// sin^2 theta of the uniform lobe, 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)), not above 1.
     #[inline(always)]
-    pub(super) const fn place_at<const BRANCHES: bool>(self, distance: f32) -> [f32; 2] {
-        let ends = [distance, distance * self.t];
-        self.place.put::<BRANCHES>(ends, self.gaps, at_rim(distance))
+    pub(super) const fn uniform_square(self) -> f32 {
+        at_most_1(self.r2 * (1.0 + self.one_minus_r2))
+    }
+
+    /// The direction of the uniform lobe, from sin theta.
+    #[inline(always)]
+    pub(super) const fn uniform_at(self, sin: f32) -> [f32; 3] {
+        let [x, y] = self.place_at::<ONE>(sin, 1.0);
+        [x, y, self.one_minus_r2]
+    }
+
+    /// The point in the same direction at another distance, which is a product. One factor, a power
+    /// of two, is at hand before the other, as the direction is.
+    #[inline(always)]
+    pub(super) const fn place_at<const FORM: u8>(self, distance: f32, shrink: f32) -> [f32; 2] {
+        let Self { t, gaps: [cos, sin], place, .. } = self;
+        let [x, y] = [1.0 - cos, t - t * sin];
+        if FORM == BRANCHES {
+            let distance = distance * shrink;
+            return place.at::<FORM>(distance, [x, y], at_rim(distance));
+        }
+        place.at::<FORM>(distance, [x * shrink, y * shrink], at_rim(distance))
     }
 }
 
@@ -225,10 +314,10 @@ const fn at_rim(distance: f32) -> bool {
     distance > 1.0 - 8.0 * f32::EPSILON
 }
 
-/// Square root of a value that exceeds 1 by rounding at most.
+/// A square that exceeds 1 by rounding at most, so that its root does not.
 #[inline(always)]
-pub(super) const fn root_to_1(square: f32) -> f32 {
-    normal_sqrt(if square < 1.0 { square } else { 1.0 })
+pub(super) const fn at_most_1(square: f32) -> f32 {
+    if square < 1.0 { square } else { 1.0 }
 }
 
 /// The points of a disc map.
@@ -252,7 +341,7 @@ pub(super) fn in_octant<D: DiscKernel<Disc = FastDisc>>(
 ) {
     let mut t = [0.0; BLOCK];
     for lane in 0..BLOCK {
-        let FastDisc { ends, t: tangent, .. } = D::disc([u[lane], v[lane]]);
+        let FastDisc { ends, t: tangent, .. } = D::lane([u[lane], v[lane]]);
         [x[lane], y[lane]] = ends;
         t[lane] = tangent;
     }
@@ -269,6 +358,13 @@ pub(super) fn less_gaps(x: &mut Lanes<f32>, y: &mut Lanes<f32>, t: &Lanes<f32>) 
     }
 }
 
+/// In a direction of the octant.
+#[inline(always)]
+pub(super) const fn direction(t: f32) -> [f32; 2] {
+    let [cos, sin] = gaps(t * t);
+    [1.0 - cos, t - t * sin]
+}
+
 /// From the octant to their places.
 #[inline(always)]
 pub(super) fn to_places<D: DiscKernel<Disc = FastDisc>>(
@@ -278,7 +374,7 @@ pub(super) fn to_places<D: DiscKernel<Disc = FastDisc>>(
     y: &mut Lanes<f32>,
 ) {
     for lane in 0..BLOCK {
-        let FastDisc { place, .. } = D::disc([u[lane], v[lane]]);
-        [x[lane], y[lane]] = place.placed([x[lane], y[lane]]);
+        let FastDisc { place, .. } = D::lane([u[lane], v[lane]]);
+        [x[lane], y[lane]] = place.placed::<LANE>([x[lane], y[lane]], true);
     }
 }

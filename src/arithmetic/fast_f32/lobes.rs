@@ -1,19 +1,21 @@
 //! The lobes of fast f32: the power lobe and its exponent, and all three over a block of points.
 
 use super::back::Functions;
-use super::disc::{FastDisc, in_octant, less_gaps, root_to_1, to_places};
-use super::functions::{exp, ln_complement, normal_sqrt, sqrt};
+use super::disc::{FastDisc, at_most_1, direction, in_octant, to_places};
+use super::functions::{exp_2, exp_2_1, ln_complement, sqrt};
+use super::root::now;
 use crate::arithmetic::DiscKernel;
 use crate::arithmetic::float::{PowerExponent, exponent};
 use crate::block::{BLOCK, Block, Lanes};
 use crate::error::Error;
-use crate::target::BRANCHES;
+use crate::target::form::{LANE, ONE, WORDS};
 
 /// An exponent e > -1 with the power lobe's precomputed values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FastExponent {
     exact: PowerExponent<f32>,
-    /// 4^k / (e + 1), rounded, and its relative rounding error.
+    /// 4^k log2(e) / (e + 1), e the base of ln, rounded, and its relative rounding error: ln(1 - r^2)
+    /// times this is log2 z.
     rate: f32,
     lost: f32,
     /// 2^-k: 1 up to e + 1 = 2^42.
@@ -36,17 +38,12 @@ impl FastExponent {
         let e_plus_1 = e as f64 + 1.0;
         let binade = e_plus_1.to_bits() >> 52;
         let k = binade.saturating_sub(1023 + 40) / 2;
-        let inverse = f64::from_bits((1023 + 2 * k) << 52) / e_plus_1;
+        let power = f64::from_bits((1023 + 2 * k) << 52);
+        let inverse = core::f64::consts::LOG2_E * power / e_plus_1;
         let rate = inverse as f32;
         let lost = ((inverse - rate as f64) / inverse) as f32;
         let shrink = 1.0 / (1_u64 << k) as f32;
         Ok(Self { exact, rate, lost, shrink })
-    }
-
-    /// sin theta from sin^2 theta 4^k.
-    #[inline(always)]
-    pub(super) const fn distance(self, square: f32) -> f32 {
-        root_to_1(square) * self.shrink
     }
 
     /// The density of a sample of the lobe, from the 1 - r^2 that it was lifted from.
@@ -67,29 +64,45 @@ impl From<FastExponent> for PowerExponent<f32> {
     }
 }
 
-/// The power lobe.
+/// The power lobe: sin^2 theta 4^k, not above 1, and z.
 #[inline(always)]
-pub(super) const fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 3] {
-    let [square, z] = elevation(exponent, ln_complement(disc.r2, disc.one_minus_r2));
-    let [x, y] = disc.place_at::<BRANCHES>(exponent.distance(square));
+pub(super) const fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 2] {
+    elevation::<ONE>(exponent, ln_complement::<ONE>(disc.r2, disc.one_minus_r2))
+}
+
+/// Its direction, from z and the root of the square.
+#[inline(always)]
+pub(super) const fn powered(
+    exponent: FastExponent,
+    disc: FastDisc,
+    root: f32,
+    z: f32,
+) -> [f32; 3] {
+    let [x, y] = disc.place_at::<ONE>(root, exponent.shrink);
     [x, y, z]
 }
 
-/// Below the logarithm of the smallest normal number by more than all errors, so that z becomes that
+/// Below the exponent of the smallest normal number by more than all errors, so that z becomes that
 /// number, whether a processor flushes subnormal results to 0 or not.
-const LN_BELOW_MIN: f32 = -87.34;
+const LOG_BELOW_MIN: f32 = -126.01;
 
-/// sin^2 theta 4^k, which exceeds 1 by rounding at most, and z = cos theta, from ln(1 - r^2).
+/// sin^2 theta 4^k, not above 1, and z = cos theta, from ln(1 - r^2).
 ///
-/// With z = exp(l), sin^2 theta = 1 - z^2 = (1 - z) (1 + z), and 1 - z is accurate near the pole.
+/// With z = 2^l, sin^2 theta = 1 - z^2 = (1 - z) (1 + z), and 1 - z is accurate near the pole.
 #[inline(always)]
-pub(super) const fn elevation(exponent: FastExponent, log: f32) -> [f32; 2] {
-    let log = log * exponent.rate;
+pub(super) const fn elevation<const FORM: u8>(exponent: FastExponent, ln: f32) -> [f32; 2] {
+    let log = ln * exponent.rate;
+    if FORM == WORDS && log >= -0.5 {
+        // 2^k = 1, and nothing under- or overflows. From e = 20 on hardly a point is elsewhere.
+        let excess = exp_2_1(log + log * exponent.lost);
+        return [-excess * (2.0 + excess), 1.0 + excess];
+    }
     // Below e = 0 the exact z underflows in the last cells.
-    let log = if log > LN_BELOW_MIN { log } else { LN_BELOW_MIN };
-    let [z, gap] = exp(log, exponent.lost);
-    let z = if z > f32::MIN_POSITIVE { z } else { f32::MIN_POSITIVE };
-    [gap * (1.0 + z), z]
+    let log = if log > LOG_BELOW_MIN { log } else { LOG_BELOW_MIN };
+    let [power, excess] = exp_2(log, exponent.lost);
+    let (gap, sum) = ((1.0 - power) - excess, (1.0 + power) + excess);
+    let z = power + excess;
+    [at_most_1(gap * sum), if z > f32::MIN_POSITIVE { z } else { f32::MIN_POSITIVE }]
 }
 
 /// The uniform lobe over them.
@@ -100,12 +113,12 @@ pub(super) fn uniform_passes<D: DiscKernel<Disc = FastDisc>>(
     [x, y, z]: &mut [Lanes<f32>; 3],
 ) {
     for lane in 0..BLOCK {
-        let FastDisc { r2, one_minus_r2, .. } = D::disc([u[lane], v[lane]]);
-        x[lane] = r2 * (1.0 + one_minus_r2);
-        z[lane] = one_minus_r2;
+        let disc = D::lane([u[lane], v[lane]]);
+        x[lane] = disc.uniform_square();
+        z[lane] = disc.one_minus_r2;
     }
     for sin in x.iter_mut() {
-        *sin = root_to_1(*sin);
+        *sin = now(*sin);
     }
     at_distances::<D>(u, v, x, y);
 }
@@ -118,10 +131,10 @@ pub(super) fn cosine_passes<D: DiscKernel<Disc = FastDisc>>(
     [x, y, z]: &mut [Lanes<f32>; 3],
 ) {
     for lane in 0..BLOCK {
-        z[lane] = D::disc([u[lane], v[lane]]).one_minus_r2;
+        z[lane] = D::lane([u[lane], v[lane]]).one_minus_r2;
     }
     for z in z {
-        *z = normal_sqrt(*z);
+        *z = now(*z);
     }
     in_octant::<D>(u, v, x, y);
     to_places::<D>(u, v, x, y);
@@ -136,14 +149,14 @@ pub(super) fn power_passes<D: DiscKernel<Disc = FastDisc>>(
     [x, y, z]: &mut [Lanes<f32>; 3],
 ) {
     for lane in 0..BLOCK {
-        let FastDisc { r2, one_minus_r2, .. } = D::disc([u[lane], v[lane]]);
-        z[lane] = ln_complement(r2, one_minus_r2);
+        let FastDisc { r2, one_minus_r2, .. } = D::lane([u[lane], v[lane]]);
+        z[lane] = ln_complement::<LANE>(r2, one_minus_r2);
     }
     for (square, z) in x.iter_mut().zip(z) {
-        [*square, *z] = elevation(exponent, *z);
+        [*square, *z] = elevation::<LANE>(exponent, *z);
     }
     for sin in x.iter_mut() {
-        *sin = exponent.distance(*sin);
+        *sin = now(*sin) * exponent.shrink;
     }
     at_distances::<D>(u, v, x, y);
 }
@@ -156,11 +169,12 @@ fn at_distances<D: DiscKernel<Disc = FastDisc>>(
     x: &mut Lanes<f32>,
     y: &mut Lanes<f32>,
 ) {
-    let mut t = [0.0; BLOCK];
     for lane in 0..BLOCK {
-        t[lane] = D::disc([u[lane], v[lane]]).t;
-        y[lane] = x[lane] * t[lane];
+        y[lane] = D::lane([u[lane], v[lane]]).t;
     }
-    less_gaps(x, y, &t);
+    for (x, y) in x.iter_mut().zip(y.iter_mut()) {
+        let [cos, sin] = direction(*y);
+        [*x, *y] = [*x * cos, *x * sin];
+    }
     to_places::<D>(u, v, x, y);
 }

@@ -18,7 +18,7 @@ macro_rules! vectors {
     ($float:ident, $series:expr) => {
         pub mod $float {
             use crate::error::Error;
-            use crate::target::BRANCHES;
+            use crate::target::form::{BRANCHES, ONE};
 
             #[inline(always)]
             pub const fn dot(a: [$float; 3], b: [$float; 3]) -> $float {
@@ -53,7 +53,7 @@ macro_rules! vectors {
             #[inline(always)]
             const fn corrected(vector: [$float; 3], d: $float) -> [$float; 3] {
                 let as_it_is = d.abs() <= KEPT;
-                if BRANCHES && as_it_is {
+                if ONE == BRANCHES && as_it_is {
                     return vector;
                 }
                 let less = d * series(d);
