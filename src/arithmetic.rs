@@ -185,32 +185,44 @@ pub trait Arithmetic:
     /// The points of a disc map over a block.
     #[doc(hidden)]
     #[inline(always)]
-    fn disc_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<Self::Real>; 2]) {
+    fn disc_block<D: KernelOf<Self>, const N: usize>(
+        u: &Block<N>,
+        v: &Block<N>,
+        out: &mut [Lanes<Self::Real, N>; 2],
+    ) {
         point_by_point!(u, v, out, uv => D::point(uv));
     }
 
     /// [`uniform`](Self::uniform) over a block of points of a disc map.
     #[doc(hidden)]
     #[inline(always)]
-    fn uniform_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<Self::Real>; 3]) {
+    fn uniform_block<D: KernelOf<Self>, const N: usize>(
+        u: &Block<N>,
+        v: &Block<N>,
+        out: &mut [Lanes<Self::Real, N>; 3],
+    ) {
         point_by_point!(u, v, out, uv => Self::uniform(D::disc(uv)));
     }
 
     /// [`cosine`](Self::cosine) over a block of points of a disc map.
     #[doc(hidden)]
     #[inline(always)]
-    fn cosine_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<Self::Real>; 3]) {
+    fn cosine_block<D: KernelOf<Self>, const N: usize>(
+        u: &Block<N>,
+        v: &Block<N>,
+        out: &mut [Lanes<Self::Real, N>; 3],
+    ) {
         point_by_point!(u, v, out, uv => Self::cosine(D::disc(uv)));
     }
 
     /// [`power`](Self::power) over a block of points of a disc map.
     #[doc(hidden)]
     #[inline(always)]
-    fn power_block<D: KernelOf<Self>>(
+    fn power_block<D: KernelOf<Self>, const N: usize>(
         exponent: Self::Exponent,
-        u: &Block,
-        v: &Block,
-        out: &mut [Lanes<Self::Real>; 3],
+        u: &Block<N>,
+        v: &Block<N>,
+        out: &mut [Lanes<Self::Real, N>; 3],
     ) {
         point_by_point!(u, v, out, uv => Self::power(exponent, D::disc(uv)));
     }

@@ -1,4 +1,5 @@
-//! Blocks: 64 points at a time, one array a component, which is the layout that vector code needs.
+//! Blocks: 64 points at a time, or 16, one array a component, which is the layout that vector code
+//! needs.
 //!
 //! A sequence makes the coordinates of a block, a map makes its points, and
 //! [`Points`](crate::Points) stores them: component by component, or interleaved.
@@ -6,25 +7,28 @@
 /// Points in a block.
 pub const BLOCK: usize = 64;
 
+/// Points in a short block, for sets of that many, as of a pixel, and for the ends of longer ones.
+pub const SHORT_BLOCK: usize = 16;
+
 /// One component of each point of a block.
-pub type Lanes<T> = [T; BLOCK];
+pub type Lanes<T, const N: usize = BLOCK> = [T; N];
 
 /// One coordinate of each point of a block.
-pub type Block = Lanes<u32>;
+pub type Block<const N: usize = BLOCK> = Lanes<u32, N>;
 
 /// A point: an array of its components. Sealed.
 pub trait Point: Copy + sealed::Sealed {
     /// The number type of its components.
     type Component: Copy;
-    /// A block of points, one array a component: `[Lanes<Component>; D]`.
-    type Components;
+    /// A block of N points, one array a component: `[Lanes<Component, N>; D]`.
+    type Components<const N: usize>;
 
     /// A point whose components are all 0: to initialise a buffer.
     fn zero() -> Self;
 
     /// A block of such points.
     #[doc(hidden)]
-    fn zeros() -> Self::Components;
+    fn zeros<const N: usize>() -> Self::Components<N>;
 
     /// Writes the point into its slot, a component at a time: LLVM likes that better than an array
     /// whose parts it has just formed.
@@ -33,16 +37,16 @@ pub trait Point: Copy + sealed::Sealed {
 
     /// Writes the point into a lane of a block.
     #[doc(hidden)]
-    fn put(self, components: &mut Self::Components, lane: usize);
+    fn put<const N: usize>(self, components: &mut Self::Components<N>, lane: usize);
 
     /// Stores a block point by point.
     #[doc(hidden)]
-    fn interleave(components: &Self::Components, points: &mut [Self; BLOCK]);
+    fn interleave<const N: usize>(components: &Self::Components<N>, points: &mut [Self; N]);
 }
 
 impl<R: Copy + Default, const D: usize> Point for [R; D] {
     type Component = R;
-    type Components = [Lanes<R>; D];
+    type Components<const N: usize> = [Lanes<R, N>; D];
 
     #[inline(always)]
     fn zero() -> Self {
@@ -50,8 +54,8 @@ impl<R: Copy + Default, const D: usize> Point for [R; D] {
     }
 
     #[inline(always)]
-    fn zeros() -> [Lanes<R>; D] {
-        [[R::default(); BLOCK]; D]
+    fn zeros<const N: usize>() -> [Lanes<R, N>; D] {
+        [[R::default(); N]; D]
     }
 
     #[inline(always)]
@@ -62,14 +66,14 @@ impl<R: Copy + Default, const D: usize> Point for [R; D] {
     }
 
     #[inline(always)]
-    fn put(self, components: &mut [Lanes<R>; D], lane: usize) {
+    fn put<const N: usize>(self, components: &mut [Lanes<R, N>; D], lane: usize) {
         for (lanes, value) in components.iter_mut().zip(self) {
             lanes[lane] = value;
         }
     }
 
     #[inline(always)]
-    fn interleave(components: &[Lanes<R>; D], points: &mut [Self; BLOCK]) {
+    fn interleave<const N: usize>(components: &[Lanes<R, N>; D], points: &mut [Self; N]) {
         for (lane, point) in points.iter_mut().enumerate() {
             for (value, lanes) in point.iter_mut().zip(components) {
                 *value = lanes[lane];

@@ -47,7 +47,10 @@
 //! The checks of this crate's own targets, in every arithmetic, are in `testkit/src/checks` of its
 //! repository.
 
-use crate::block::BLOCK;
+use crate::block::{BLOCK, SHORT_BLOCK};
+
+/// Where the last short block of a block begins.
+const LAST_SHORT: u32 = (BLOCK - SHORT_BLOCK) as u32;
 use crate::map::{Component, Density, Invert, Map};
 use crate::sequence::Sequence;
 use core::fmt;
@@ -255,6 +258,15 @@ pub fn consistent<S: Sequence>(sequence: &S, start: u32) -> Result<(), Violation
         let point = sequence.at(index);
         if point != iterated || point != [block.0, block.1] {
             return Err(Violation::Inconsistent { index });
+        }
+    }
+    for start in (start..=start + LAST_SHORT).step_by(SHORT_BLOCK) {
+        let (mut u, mut v) = ([0; SHORT_BLOCK], [0; SHORT_BLOCK]);
+        sequence.short_block(start, &mut u, &mut v);
+        for (index, (u, v)) in (start..=u32::MAX).zip(u.into_iter().zip(v)) {
+            if sequence.at(index) != [u, v] {
+                return Err(Violation::Inconsistent { index });
+            }
         }
     }
     Ok(())

@@ -96,9 +96,14 @@ pub trait Map: Copy {
     ///
     /// LLVM vectorises a branchless kernel where components are stored into arrays of their own.
     #[inline(always)]
-    fn sample_block(&self, u: &Block, v: &Block, out: &mut <Self::Point as Point>::Components) {
+    fn sample_block<const N: usize>(
+        &self,
+        u: &Block<N>,
+        v: &Block<N>,
+        out: &mut <Self::Point as Point>::Components<N>,
+    ) {
         for (lane, (u, v)) in u.iter().zip(v).enumerate() {
-            self.sample([*u, *v]).put(out, lane);
+            self.sample([*u, *v]).put::<N>(out, lane);
         }
     }
 }

@@ -1,11 +1,11 @@
 //! Points: a sequence through a map, as a `Copy` value; and the one loop that fills buffers.
 //!
 //! A part of a set is byte-identical to the same indices of the whole, so a set can be split over
-//! threads, machines or time. Filling takes single points up to a multiple of 64, then blocks of
-//! 64, one array a component, then the rest. Where blocks do not pay (`target.rs`) it takes all
+//! threads, machines or time. Filling takes single points up to a multiple of 16, blocks of 16 up to
+//! a multiple of 64 and blocks of 64, one array a component, then the rest likewise. Where blocks do not pay (`target.rs`) it takes all
 //! points one by one. The bits are the same.
 
-use crate::block::{BLOCK, Block, Lanes, Point};
+use crate::block::{BLOCK, Block, Lanes, Point, SHORT_BLOCK};
 use crate::error::Error;
 use crate::map::Map;
 use crate::sequence::Sequence;
@@ -145,19 +145,31 @@ impl<S: Sequence, M: Map> Points<S, M> {
             slots.fill_singly(count, &sequence, start, &map);
             return count;
         }
-        let ahead = count.min((start.wrapping_neg() % BLOCK as u32) as usize);
-        let (full, odd) = ((count - ahead) / BLOCK, (count - ahead) % BLOCK);
-        let (head, rest) = slots.split(ahead);
-        let (mut blocks, tail) = rest.split(full * BLOCK);
-        head.fill_singly(ahead, &sequence, start, &map);
-        let mut start = start.wrapping_add(ahead as u32);
-        let (mut u, mut v, mut components) = ([0; BLOCK], [0; BLOCK], M::Point::zeros());
-        for index in 0..full {
-            sequence.block(start, &mut u, &mut v);
-            blocks.fill_block(index, &u, &v, &map, &mut components);
-            start = start.wrapping_add(BLOCK as u32);
+        let (mut next, mut left, mut slots) = (start, count, slots);
+        while left > 0 {
+            let place = next as usize % BLOCK;
+            let whole = left.min(BLOCK - place);
+            let taken = if place == 0 && left >= BLOCK {
+                left - left % BLOCK
+            } else if place.is_multiple_of(SHORT_BLOCK) && left >= SHORT_BLOCK {
+                whole - whole % SHORT_BLOCK
+            } else {
+                left.min(SHORT_BLOCK - place % SHORT_BLOCK)
+            };
+            let (now, rest) = slots.split(taken);
+            if taken >= BLOCK {
+                now.fill_blocks::<BLOCK, _, _>(taken, next, &map, |start, u, v| {
+                    sequence.block(start, u, v)
+                });
+            } else if taken >= SHORT_BLOCK {
+                now.fill_blocks::<SHORT_BLOCK, _, _>(taken, next, &map, |start, u, v| {
+                    sequence.short_block(start, u, v);
+                });
+            } else {
+                now.fill_singly(taken, &sequence, next, &map);
+            }
+            (next, left, slots) = (next.wrapping_add(taken as u32), left - taken, rest);
         }
-        tail.fill_singly(odd, &sequence, start, &map);
         count
     }
 
@@ -326,14 +338,32 @@ trait Slots<P: Point>: Sized {
 
     /// Stores the points of a block of coordinates: the `index`-th block of these slots.
     /// `components` is memory for them.
-    fn fill_block<M: Map<Point = P>>(
+    fn fill_block<const N: usize, M: Map<Point = P>>(
         &mut self,
         index: usize,
-        u: &Block,
-        v: &Block,
+        u: &Block<N>,
+        v: &Block<N>,
         map: &M,
-        components: &mut P::Components,
+        components: &mut P::Components<N>,
     );
+
+    /// Stores `count` points, a multiple of N, by blocks of N.
+    #[inline(always)]
+    fn fill_blocks<const N: usize, M: Map<Point = P>, B: Fn(u32, &mut Block<N>, &mut Block<N>)>(
+        mut self,
+        count: usize,
+        start: u32,
+        map: &M,
+        block: B,
+    ) {
+        let (mut u, mut v, mut components) = ([0; N], [0; N], P::zeros::<N>());
+        let mut start = start;
+        for index in 0..count / N {
+            block(start, &mut u, &mut v);
+            self.fill_block(index, &u, &v, map, &mut components);
+            start = start.wrapping_add(N as u32);
+        }
+    }
 }
 
 impl<P: Point> Slots<P> for &mut [P] {
@@ -354,22 +384,22 @@ impl<P: Point> Slots<P> for &mut [P] {
     }
 
     #[inline(always)]
-    fn fill_block<M: Map<Point = P>>(
+    fn fill_block<const N: usize, M: Map<Point = P>>(
         &mut self,
         index: usize,
-        u: &Block,
-        v: &Block,
+        u: &Block<N>,
+        v: &Block<N>,
         map: &M,
-        components: &mut P::Components,
+        components: &mut P::Components<N>,
     ) {
-        let Some(block) = self.as_chunks_mut::<BLOCK>().0.get_mut(index) else { return };
+        let Some(block) = self.as_chunks_mut::<N>().0.get_mut(index) else { return };
         if M::POINTWISE {
             for (slot, (u, v)) in block.iter_mut().zip(u.iter().zip(v)) {
                 map.sample([*u, *v]).store(slot);
             }
         } else {
             map.sample_block(u, v, components);
-            P::interleave(components, block);
+            P::interleave::<N>(components, block);
         }
     }
 }
@@ -409,17 +439,17 @@ impl<R: Copy + Default, const D: usize> Slots<[R; D]> for Apart<'_, R, D> {
     }
 
     #[inline(always)]
-    fn fill_block<M: Map<Point = [R; D]>>(
+    fn fill_block<const N: usize, M: Map<Point = [R; D]>>(
         &mut self,
         index: usize,
-        u: &Block,
-        v: &Block,
+        u: &Block<N>,
+        v: &Block<N>,
         map: &M,
-        components: &mut [Lanes<R>; D],
+        components: &mut [Lanes<R, N>; D],
     ) {
         map.sample_block(u, v, components);
         for (buffer, lanes) in self.0.iter_mut().zip(&*components) {
-            if let Some(block) = buffer.as_chunks_mut::<BLOCK>().0.get_mut(index) {
+            if let Some(block) = buffer.as_chunks_mut::<N>().0.get_mut(index) {
                 *block = *lanes;
             }
         }

@@ -45,7 +45,7 @@ pub use shifted::Shifted;
 pub use shuffled::Shuffled;
 pub use stored::Stored;
 
-pub use crate::block::{BLOCK, Block};
+pub use crate::block::{BLOCK, Block, SHORT_BLOCK};
 
 use crate::error::Error;
 
@@ -83,6 +83,14 @@ pub trait Sequence: Copy {
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         for (offset, (u, v)) in (0..).zip(u.iter_mut().zip(v)) {
             [*u, *v] = self.at(start.wrapping_add(offset));
+        }
+    }
+
+    /// The points of indices `start` .. `start` + 16, `start` a multiple of 16, an axis at a time.
+    #[inline(always)]
+    fn short_block(&self, start: u32, u: &mut Block<SHORT_BLOCK>, v: &mut Block<SHORT_BLOCK>) {
+        for ((u, v), point) in u.iter_mut().zip(v).zip(self.iter(start)) {
+            [*u, *v] = point;
         }
     }
 }

@@ -182,8 +182,8 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
-    fn disc_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 2]) {
-        disc::passes::<D>(u, v, out);
+    fn disc_block<D: KernelOf<Self>, const N: usize>(u: &Block<N>, v: &Block<N>, out: &mut [Lanes<f32, N>; 2]) {
+        disc::passes::<D, N>(u, v, out);
     }
 
     #[inline(always)]
@@ -192,8 +192,8 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
-    fn uniform_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 3]) {
-        lobes::uniform_passes::<D>(u, v, out);
+    fn uniform_block<D: KernelOf<Self>, const N: usize>(u: &Block<N>, v: &Block<N>, out: &mut [Lanes<f32, N>; 3]) {
+        lobes::uniform_passes::<D, N>(u, v, out);
     }
 
     #[inline(always)]
@@ -203,8 +203,8 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
-    fn cosine_block<D: KernelOf<Self>>(u: &Block, v: &Block, out: &mut [Lanes<f32>; 3]) {
-        lobes::cosine_passes::<D>(u, v, out);
+    fn cosine_block<D: KernelOf<Self>, const N: usize>(u: &Block<N>, v: &Block<N>, out: &mut [Lanes<f32, N>; 3]) {
+        lobes::cosine_passes::<D, N>(u, v, out);
     }
 
     fn exponent(e: f32) -> Result<FastExponent, Error> {
@@ -228,12 +228,12 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
-    fn power_block<D: KernelOf<Self>>(
+    fn power_block<D: KernelOf<Self>, const N: usize>(
         exponent: FastExponent,
-        u: &Block,
-        v: &Block,
-        out: &mut [Lanes<f32>; 3],
+        u: &Block<N>,
+        v: &Block<N>,
+        out: &mut [Lanes<f32, N>; 3],
     ) {
-        lobes::power_passes::<D>(exponent, u, v, out);
+        lobes::power_passes::<D, N>(exponent, u, v, out);
     }
 }

@@ -6,7 +6,7 @@
 //! 9(4), 2020) with the constants of N. Vegdahl's 2021 search, as in the crate `sobol_burley`.
 //! `seed` must be well mixed already: consecutive integers will not do.
 
-use crate::block::{BLOCK, Block, Lanes};
+use crate::block::{Block, Lanes};
 
 const MULTIPLIERS: [u32; 3] = [0x3d20_adea, 0x0552_6c56, 0x53a2_2864];
 
@@ -29,14 +29,14 @@ pub const fn scramble(x: u32, seed: u32) -> u32 {
     scramble_reversed(x.reverse_bits(), seed).reverse_bits()
 }
 
-/// The six low bits of [`scramble`]'s results for 64 consecutive numbers, the first a multiple
-/// of 64. They share all other bits.
+/// The six low bits of [`scramble`]'s results for N consecutive numbers, the first a multiple of N,
+/// which divides 64. They share all other bits.
 ///
 /// Reversed, the six are the highest bits, and the lower 26 do not depend on them. Those are
 /// scrambled once, with what each step carries into the six. Modulo 64 a step takes 16 bits: the
 /// smallest vector holds eight such lanes, and a product is one operation.
 #[inline(always)]
-pub(crate) fn scramble_low(first: u32, seed: u32) -> Lanes<u16> {
+pub(crate) fn scramble_low<const N: usize>(first: u32, seed: u32) -> Lanes<u16, N> {
     const LOWER: u32 = (1 << 26) - 1;
     let carried = |sum: u32| (sum >> 26) as u16;
     let [m0, m1, m2] = MULTIPLIERS.map(|multiplier| multiplier as u16);
@@ -50,9 +50,10 @@ pub(crate) fn scramble_low(first: u32, seed: u32) -> Lanes<u16> {
     let p1 = x.wrapping_mul(MULTIPLIERS[1]);
     let p2 = ((x ^ p1) & LOWER).wrapping_mul(MULTIPLIERS[2]);
 
-    let mut places = [0; BLOCK];
+    let mut places = [0; N];
+    let within = first as u16 & 63;
     for (place, low) in places.iter_mut().zip(0_u16..) {
-        *place = (low << 10).reverse_bits();
+        *place = ((within | low) << 10).reverse_bits();
     }
     for place in &mut places {
         let mut x = *place;
@@ -69,9 +70,14 @@ pub(crate) fn scramble_low(first: u32, seed: u32) -> Lanes<u16> {
 /// `scramble_reversed(x ^ low, seed).reverse_bits()` of each `low`, by halves: twice as many
 /// numbers to a vector, and reversed bits need no exchange of the halves.
 #[inline(always)]
-pub(crate) fn scramble_siblings(x: u32, low: &Lanes<u16>, seed: u32, out: &mut Block) {
+pub(crate) fn scramble_siblings<const N: usize>(
+    x: u32,
+    low: &Lanes<u16, N>,
+    seed: u32,
+    out: &mut Block<N>,
+) {
     let x = Halves::new(x);
-    let (mut lower, mut upper) = ([0; BLOCK], [0; BLOCK]);
+    let (mut lower, mut upper) = ([0; N], [0; N]);
     for ((lower, upper), low) in lower.iter_mut().zip(&mut upper).zip(low) {
         let scrambled = Halves { lower: x.lower ^ low, upper: x.upper }.scramble_reversed(seed);
         (*lower, *upper) = (scrambled.lower, scrambled.upper);
@@ -129,12 +135,19 @@ impl Halves {
 mod tests {
     use super::*;
     use crate::bits::hash::mix;
+    use crate::block::{BLOCK, SHORT_BLOCK};
 
     #[test]
     fn low_bits_of_a_block_are_those_of_its_numbers() {
+        low_bits::<BLOCK>();
+        low_bits::<SHORT_BLOCK>();
+    }
+
+    fn low_bits<const N: usize>() {
+        let within = N as u32 - 1;
         for trial in 0..2000_u32 {
-            let (first, seed) = (mix(trial) & !63, mix(!trial));
-            for (x, low) in (first..=first | 63).zip(scramble_low(first, seed)) {
+            let (first, seed) = (mix(trial) & !within, mix(!trial));
+            for (x, low) in (first..=first | within).zip(scramble_low::<N>(first, seed)) {
                 let others = scramble(first, seed) & !63;
                 assert_eq!(others | u32::from(low), scramble(x, seed), "{x:#x} {seed:#x}");
             }
@@ -146,7 +159,7 @@ mod tests {
         for trial in 0..2000_u32 {
             let (x, seed) = (mix(trial), mix(!trial));
             let low = core::array::from_fn(|place| mix(place as u32 ^ trial) as u16);
-            let mut siblings = [0; BLOCK];
+            let mut siblings = [0; SHORT_BLOCK];
             scramble_siblings(x, &low, seed, &mut siblings);
             let one_by_one =
                 low.map(|low| scramble_reversed(x ^ u32::from(low), seed).reverse_bits());

@@ -2,7 +2,7 @@
 
 use super::Frame;
 use crate::arithmetic::Real;
-use crate::block::{BLOCK, Block, Lanes};
+use crate::block::{Block, Lanes};
 use crate::map::{Density, Invert, Map};
 
 /// A map of directions, turned about the third axis of a frame: world-space sampling about a
@@ -48,10 +48,10 @@ impl<R: Real, M: Map<Point = [R; 3]>> Map for About<M, R> {
 
     /// The map's own block, turned.
     #[inline(always)]
-    fn sample_block(&self, u: &Block, v: &Block, out: &mut [Lanes<R>; 3]) {
+    fn sample_block<const N: usize>(&self, u: &Block<N>, v: &Block<N>, out: &mut [Lanes<R, N>; 3]) {
         self.map.sample_block(u, v, out);
         let [x, y, z] = out;
-        for lane in 0..BLOCK {
+        for lane in 0..N {
             [x[lane], y[lane], z[lane]] = self.frame.to_world([x[lane], y[lane], z[lane]]);
         }
     }

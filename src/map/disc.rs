@@ -105,9 +105,14 @@ macro_rules! disc_map {
                 }
 
                 #[inline(always)]
-                fn sample_block(&self, u: &Block, v: &Block, out: &mut [Lanes<A::Real>; 2]) {
+                fn sample_block<const N: usize>(
+                    &self,
+                    u: &Block<N>,
+                    v: &Block<N>,
+                    out: &mut [Lanes<A::Real, N>; 2],
+                ) {
                     assert_rounds::<A>();
-                    A::disc_block::<Self>(u, v, out);
+                    A::disc_block::<Self, N>(u, v, out);
                 }
             }
 

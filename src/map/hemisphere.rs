@@ -30,11 +30,11 @@ pub trait Lobe: Copy + Sealed {
 
     /// The directions above a block of points of a disc map.
     #[doc(hidden)]
-    fn lift_block<D: KernelOf<Self::Arithmetic>>(
+    fn lift_block<D: KernelOf<Self::Arithmetic>, const N: usize>(
         &self,
-        u: &Block,
-        v: &Block,
-        out: &mut [Lanes<Slot<Self::Arithmetic>>; 3],
+        u: &Block<N>,
+        v: &Block<N>,
+        out: &mut [Lanes<Slot<Self::Arithmetic>, N>; 3],
     );
 
     /// The point of the disc below a direction.
@@ -255,8 +255,13 @@ impl<L: Lobe, D: DiscMap<Arithmetic = L::Arithmetic>> Map for Hemisphere<L, D> {
     }
 
     #[inline(always)]
-    fn sample_block(&self, u: &Block, v: &Block, out: &mut [Lanes<Slot<L::Arithmetic>>; 3]) {
-        self.lobe.lift_block::<D>(u, v, out);
+    fn sample_block<const N: usize>(
+        &self,
+        u: &Block<N>,
+        v: &Block<N>,
+        out: &mut [Lanes<Slot<L::Arithmetic>, N>; 3],
+    ) {
+        self.lobe.lift_block::<D, N>(u, v, out);
     }
 }
 
@@ -307,13 +312,13 @@ macro_rules! lobe {
                 }
 
                 #[inline(always)]
-                fn lift_block<D: KernelOf<A>>(
+                fn lift_block<D: KernelOf<A>, const N: usize>(
                     &self,
-                    u: &Block,
-                    v: &Block,
-                    out: &mut [Lanes<A::Real>; 3],
+                    u: &Block<N>,
+                    v: &Block<N>,
+                    out: &mut [Lanes<A::Real, N>; 3],
                 ) {
-                    A::$block::<D>($(self.$parameter,)? u, v, out);
+                    A::$block::<D, N>($(self.$parameter,)? u, v, out);
                 }
 
                 #[inline]

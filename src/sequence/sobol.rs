@@ -10,7 +10,7 @@ use super::walk::{Walk, walks};
 use crate::bits::hash::unmix;
 use crate::bits::hash::{mix, shift};
 use crate::bits::sobol::higher_dimensions;
-use crate::block::{BLOCK, Block};
+use crate::block::{BLOCK, Block, SHORT_BLOCK};
 
 /// The Sobol (0, 2)-sequence, with an optional digital (xor) shift.
 ///
@@ -100,6 +100,16 @@ const OFFSETS: [Block; 2] = {
     offsets
 };
 
+/// The points of a block, from its first.
+#[inline(always)]
+fn beside<const N: usize>(first: [u32; 2], u: &mut Block<N>, v: &mut Block<N>) {
+    for (axis, out) in [u, v].into_iter().enumerate() {
+        for (slot, offset) in out.iter_mut().zip(&OFFSETS[axis]) {
+            *slot = first[axis] ^ offset;
+        }
+    }
+}
+
 const FEW: usize = 16;
 
 /// The first few points.
@@ -128,12 +138,12 @@ impl Sequence for Sobol {
     /// Both matrices are linear over xor, so a block is its first point xor a table.
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
-        let base = self.at(start);
-        for (axis, out) in [u, v].into_iter().enumerate() {
-            for (slot, offset) in out.iter_mut().zip(&OFFSETS[axis]) {
-                *slot = base[axis] ^ offset;
-            }
-        }
+        beside(self.at(start), u, v);
+    }
+
+    #[inline(always)]
+    fn short_block(&self, start: u32, u: &mut Block<SHORT_BLOCK>, v: &mut Block<SHORT_BLOCK>) {
+        beside(self.at(start), u, v);
     }
 }
 

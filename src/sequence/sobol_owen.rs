@@ -8,7 +8,7 @@ use super::Sequence;
 use crate::bits::owen::{scramble, scramble_low, scramble_reversed, scramble_siblings};
 use crate::bits::sobol::higher_dimensions;
 use crate::bits::state::{finish, of_words, to_words};
-use crate::block::{BLOCK, Block};
+use crate::block::{BLOCK, Block, Lanes, SHORT_BLOCK};
 use crate::domain::Domain;
 use crate::target::VECTORS_OF_HALVES;
 
@@ -98,15 +98,15 @@ const fn scrambled([u, v]: [u32; 2], [key_u, key_v]: [u32; 2]) -> [u32; 2] {
     to_words(of_words([scramble_reversed(v, key_v), scramble_reversed(u, key_u)]).reverse_bits())
 }
 
-/// An aligned block of indices is shuffled within itself and moved as a whole, and Pascal's matrix
-/// is linear over xor. So within a block only the low bits of both reversed coordinates differ. The
-/// block runs in passes, because a point is a dependency chain of 60 operations.
+/// Of 64 or of 16: an aligned block of indices is shuffled within itself and moved as a whole, and
+/// Pascal's matrix is linear over xor. So within a block only the low bits of both reversed
+/// coordinates differ. The block runs in passes, because a point is a dependency chain of 60 operations.
 impl SobolOwen {
     #[inline(always)]
-    fn block_in_words(self, start: u32, u: &mut Block, v: &mut Block) {
+    fn block_in_words<const N: usize>(self, start: u32, u: &mut Block<N>, v: &mut Block<N>) {
         let high = shuffle(start, self.order) & !LOW;
         let below = pascal_reversed(high);
-        let places = scramble_low(start, self.order);
+        let places: Lanes<u16, N> = scramble_low(start, self.order);
         for ((u, v), place) in u.iter_mut().zip(v.iter_mut()).zip(places) {
             // The compiler sees that most of the matrix is not needed.
             let low = u32::from(place) & LOW;
@@ -124,9 +124,9 @@ impl SobolOwen {
     }
 
     #[inline(always)]
-    fn block_in_halves(self, start: u32, u: &mut Block, v: &mut Block) {
+    fn block_in_halves<const N: usize>(self, start: u32, u: &mut Block<N>, v: &mut Block<N>) {
         let high = shuffle(start, self.order) & !LOW;
-        let mut low = scramble_low(start, self.order);
+        let mut low: Lanes<u16, N> = scramble_low(start, self.order);
         scramble_siblings(high, &low, self.axes[0], u);
         for low in &mut low {
             *low = pascal_reversed(u32::from(*low) & LOW) as u16;
@@ -166,6 +166,15 @@ impl Sequence for SobolOwen {
 
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
+        if VECTORS_OF_HALVES {
+            self.block_in_halves(start, u, v);
+        } else {
+            self.block_in_words(start, u, v);
+        }
+    }
+
+    #[inline(always)]
+    fn short_block(&self, start: u32, u: &mut Block<SHORT_BLOCK>, v: &mut Block<SHORT_BLOCK>) {
         if VECTORS_OF_HALVES {
             self.block_in_halves(start, u, v);
         } else {
@@ -232,15 +241,20 @@ mod tests {
 
     #[test]
     fn blocks_in_words_and_in_halves_are_those_of_their_points() {
+        blocks_of::<BLOCK>();
+        blocks_of::<SHORT_BLOCK>();
+    }
+
+    fn blocks_of<const N: usize>() {
         for trial in 0..500_u32 {
-            let (sequence, start) = (SobolOwen::new(mix(trial)), mix(!trial) & !LOW);
-            let (mut words, mut halves) = ([[0; BLOCK]; 2], [[0; BLOCK]; 2]);
+            let (sequence, start) = (SobolOwen::new(mix(trial)), mix(!trial) & !(N as u32 - 1));
+            let (mut words, mut halves) = ([[0; N]; 2], [[0; N]; 2]);
             let [u, v] = &mut words;
             sequence.block_in_words(start, u, v);
             let [u, v] = &mut halves;
             sequence.block_in_halves(start, u, v);
             assert_eq!(words, halves, "{sequence:?} {start:#x}");
-            for lane in 0..BLOCK {
+            for lane in 0..N {
                 let [u, v] = &words;
                 assert_eq!([u[lane], v[lane]], sequence.at(start | lane as u32), "{sequence:?}");
             }

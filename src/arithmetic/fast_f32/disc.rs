@@ -7,7 +7,7 @@
 //! a sign; the compiler removes the parts of a point that it does not use.
 
 use crate::arithmetic::DiscKernel;
-use crate::block::{BLOCK, Block, Lanes};
+use crate::block::{Block, Lanes};
 use crate::coordinates::{Angle, fold, fold_angle};
 use crate::target::form::{BRANCHES, LANE, ONE, WORDS};
 use crate::target::{CONVERSIONS_WAIT, HAS_FPU};
@@ -322,25 +322,25 @@ pub(super) const fn at_most_1(square: f32) -> f32 {
 
 /// The points of a disc map.
 #[inline(always)]
-pub(super) fn passes<D: DiscKernel<Disc = FastDisc>>(
-    u: &Block,
-    v: &Block,
-    [x, y]: &mut [Lanes<f32>; 2],
+pub(super) fn passes<D: DiscKernel<Disc = FastDisc>, const N: usize>(
+    u: &Block<N>,
+    v: &Block<N>,
+    [x, y]: &mut [Lanes<f32, N>; 2],
 ) {
-    in_octant::<D>(u, v, x, y);
-    to_places::<D>(u, v, x, y);
+    in_octant::<D, N>(u, v, x, y);
+    to_places::<D, N>(u, v, x, y);
 }
 
 /// x and y of the points, in the octant.
 #[inline(always)]
-pub(super) fn in_octant<D: DiscKernel<Disc = FastDisc>>(
-    u: &Block,
-    v: &Block,
-    x: &mut Lanes<f32>,
-    y: &mut Lanes<f32>,
+pub(super) fn in_octant<D: DiscKernel<Disc = FastDisc>, const N: usize>(
+    u: &Block<N>,
+    v: &Block<N>,
+    x: &mut Lanes<f32, N>,
+    y: &mut Lanes<f32, N>,
 ) {
-    let mut t = [0.0; BLOCK];
-    for lane in 0..BLOCK {
+    let mut t = [0.0; N];
+    for lane in 0..N {
         let FastDisc { ends, t: tangent, .. } = D::lane([u[lane], v[lane]]);
         [x[lane], y[lane]] = ends;
         t[lane] = tangent;
@@ -350,8 +350,8 @@ pub(super) fn in_octant<D: DiscKernel<Disc = FastDisc>>(
 
 /// From r and r t to x and y in the octant.
 #[inline(always)]
-pub(super) fn less_gaps(x: &mut Lanes<f32>, y: &mut Lanes<f32>, t: &Lanes<f32>) {
-    for lane in 0..BLOCK {
+pub(super) fn less_gaps<const N: usize>(x: &mut Lanes<f32, N>, y: &mut Lanes<f32, N>, t: &Lanes<f32, N>) {
+    for lane in 0..N {
         let [cos, sin] = gaps(t[lane] * t[lane]);
         x[lane] -= x[lane] * cos;
         y[lane] -= y[lane] * sin;
@@ -367,13 +367,13 @@ pub(super) const fn direction(t: f32) -> [f32; 2] {
 
 /// From the octant to their places.
 #[inline(always)]
-pub(super) fn to_places<D: DiscKernel<Disc = FastDisc>>(
-    u: &Block,
-    v: &Block,
-    x: &mut Lanes<f32>,
-    y: &mut Lanes<f32>,
+pub(super) fn to_places<D: DiscKernel<Disc = FastDisc>, const N: usize>(
+    u: &Block<N>,
+    v: &Block<N>,
+    x: &mut Lanes<f32, N>,
+    y: &mut Lanes<f32, N>,
 ) {
-    for lane in 0..BLOCK {
+    for lane in 0..N {
         let FastDisc { place, .. } = D::lane([u[lane], v[lane]]);
         [x[lane], y[lane]] = place.placed::<LANE>([x[lane], y[lane]], true);
     }

@@ -6,7 +6,7 @@ use super::functions::{exp_2, exp_2_1, ln_complement, sqrt};
 use super::root::now;
 use crate::arithmetic::DiscKernel;
 use crate::arithmetic::float::{PowerExponent, exponent};
-use crate::block::{BLOCK, Block, Lanes};
+use crate::block::{Block, Lanes};
 use crate::error::Error;
 use crate::target::form::{LANE, ONE, WORDS};
 
@@ -107,12 +107,12 @@ pub(super) const fn elevation<const FORM: u8>(exponent: FastExponent, ln: f32) -
 
 /// The uniform lobe over them.
 #[inline(always)]
-pub(super) fn uniform_passes<D: DiscKernel<Disc = FastDisc>>(
-    u: &Block,
-    v: &Block,
-    [x, y, z]: &mut [Lanes<f32>; 3],
+pub(super) fn uniform_passes<D: DiscKernel<Disc = FastDisc>, const N: usize>(
+    u: &Block<N>,
+    v: &Block<N>,
+    [x, y, z]: &mut [Lanes<f32, N>; 3],
 ) {
-    for lane in 0..BLOCK {
+    for lane in 0..N {
         let disc = D::lane([u[lane], v[lane]]);
         x[lane] = disc.uniform_square();
         z[lane] = disc.one_minus_r2;
@@ -120,35 +120,35 @@ pub(super) fn uniform_passes<D: DiscKernel<Disc = FastDisc>>(
     for sin in x.iter_mut() {
         *sin = now(*sin);
     }
-    at_distances::<D>(u, v, x, y);
+    at_distances::<D, N>(u, v, x, y);
 }
 
 /// The cosine lobe over them.
 #[inline(always)]
-pub(super) fn cosine_passes<D: DiscKernel<Disc = FastDisc>>(
-    u: &Block,
-    v: &Block,
-    [x, y, z]: &mut [Lanes<f32>; 3],
+pub(super) fn cosine_passes<D: DiscKernel<Disc = FastDisc>, const N: usize>(
+    u: &Block<N>,
+    v: &Block<N>,
+    [x, y, z]: &mut [Lanes<f32, N>; 3],
 ) {
-    for lane in 0..BLOCK {
+    for lane in 0..N {
         z[lane] = D::lane([u[lane], v[lane]]).one_minus_r2;
     }
     for z in z {
         *z = now(*z);
     }
-    in_octant::<D>(u, v, x, y);
-    to_places::<D>(u, v, x, y);
+    in_octant::<D, N>(u, v, x, y);
+    to_places::<D, N>(u, v, x, y);
 }
 
 /// The power lobe over them.
 #[inline(always)]
-pub(super) fn power_passes<D: DiscKernel<Disc = FastDisc>>(
+pub(super) fn power_passes<D: DiscKernel<Disc = FastDisc>, const N: usize>(
     exponent: FastExponent,
-    u: &Block,
-    v: &Block,
-    [x, y, z]: &mut [Lanes<f32>; 3],
+    u: &Block<N>,
+    v: &Block<N>,
+    [x, y, z]: &mut [Lanes<f32, N>; 3],
 ) {
-    for lane in 0..BLOCK {
+    for lane in 0..N {
         let FastDisc { r2, one_minus_r2, .. } = D::lane([u[lane], v[lane]]);
         z[lane] = ln_complement::<LANE>(r2, one_minus_r2);
     }
@@ -158,23 +158,23 @@ pub(super) fn power_passes<D: DiscKernel<Disc = FastDisc>>(
     for sin in x.iter_mut() {
         *sin = now(*sin) * exponent.shrink;
     }
-    at_distances::<D>(u, v, x, y);
+    at_distances::<D, N>(u, v, x, y);
 }
 
 /// Points in the directions of a disc map's points, at the distances from the axis in x.
 #[inline(always)]
-fn at_distances<D: DiscKernel<Disc = FastDisc>>(
-    u: &Block,
-    v: &Block,
-    x: &mut Lanes<f32>,
-    y: &mut Lanes<f32>,
+fn at_distances<D: DiscKernel<Disc = FastDisc>, const N: usize>(
+    u: &Block<N>,
+    v: &Block<N>,
+    x: &mut Lanes<f32, N>,
+    y: &mut Lanes<f32, N>,
 ) {
-    for lane in 0..BLOCK {
+    for lane in 0..N {
         y[lane] = D::lane([u[lane], v[lane]]).t;
     }
     for (x, y) in x.iter_mut().zip(y.iter_mut()) {
         let [cos, sin] = direction(*y);
         [*x, *y] = [*x * cos, *x * sin];
     }
-    to_places::<D>(u, v, x, y);
+    to_places::<D, N>(u, v, x, y);
 }
