@@ -68,7 +68,7 @@ impl<R: Real> Unit<R> {
     #[must_use]
     #[inline]
     pub fn normalized_or_z(vector: [R; 3]) -> Self {
-        Self(R::normal(vector).unwrap_or([R::ZERO, R::ZERO, R::ONE]))
+        Self(R::normal(vector))
     }
 }
 

@@ -86,7 +86,7 @@ pub trait RealKernel: Copy + sealed::Sealed {
     fn dot(a: [Self; 3], b: [Self; 3]) -> Self;
     fn unit(vector: [Self; 3]) -> Result<[Self; 3], Error>;
     fn normalized(vector: [Self; 3]) -> Result<[Self; 3], Error>;
-    fn normal(vector: [Self; 3]) -> Result<[Self; 3], Error>;
+    fn normal(vector: [Self; 3]) -> [Self; 3];
     fn basis(z: [Self; 3]) -> [[Self; 3]; 2];
     fn checked_distance(distance: Self) -> Result<Self, Error>;
     fn nearness(radius: Self, focal_distance: Self) -> Result<Self, Error>;
@@ -198,7 +198,7 @@ macro_rules! real {
                 vector::$float::normalized(vector)
             }
             #[inline(always)]
-            fn normal(vector: [Self; 3]) -> Result<[Self; 3], Error> {
+            fn normal(vector: [Self; 3]) -> [Self; 3] {
                 vector::$float::normal(vector)
             }
             #[inline(always)]

@@ -95,14 +95,21 @@ macro_rules! vectors {
                 }
             }
 
-            /// [`normalized`], of a vector that mostly is a little off unit length.
-            ///
-            /// # Errors
-            /// Those of [`normalized`].
+            /// [`normalized`], of a vector that mostly is a little off unit length; the z axis for
+            /// one without a direction.
             #[inline(always)]
-            pub const fn normal(vector: [$float; 3]) -> Result<[$float; 3], Error> {
+            pub const fn normal(vector: [$float; 3]) -> [$float; 3] {
                 let d = dot(vector, vector) - 1.0;
-                if d.abs() <= NEAR { Ok(corrected(vector, d)) } else { of_any_length(vector) }
+                if d.abs() <= NEAR { corrected(vector, d) } else { of_any_length_or_z(vector) }
+            }
+
+            #[cold]
+            #[inline(never)]
+            const fn of_any_length_or_z(vector: [$float; 3]) -> [$float; 3] {
+                match of_any_length(vector) {
+                    Ok(unit) => unit,
+                    Err(_) => [0.0, 0.0, 1.0],
+                }
             }
 
             #[cold]
