@@ -122,7 +122,7 @@ impl Sealed for FastF32 {}
 impl Root for FastF32 {
     #[inline(always)]
     fn sqrt(x: f32) -> f32 {
-        if x >= f32::MIN_POSITIVE { now(x) } else { functions::sqrt(x) }
+        if x >= functions::FAR_FROM_0 { now(x) } else { functions::sqrt(x) }
     }
 
     #[inline(always)]

@@ -79,21 +79,16 @@ const fn halves(k: u32, cleared: u32) -> f32 {
 /// (2k + 1) / 2^33 correctly rounded.
 #[inline(always)]
 pub(super) const fn centre_nearest<const FORM: u8>(k: u32) -> f32 {
-    if FORM == LANE || FORM == WORDS && CONVERSIONS_WAIT {
-        return halves(k, 0);
-    }
-    if FORM == WORDS {
+    if FORM == WORDS && !CONVERSIONS_WAIT {
         return (2 * k as i64 + 1) as f32 * (1.0 / 8_589_934_592.0);
+    }
+    if FORM != BRANCHES || HAS_FPU {
+        return halves(k, 0);
     }
     // 2k + 1 where it fits, or else k with the half that it lacks as its lowest bit, which only says
     // to which side of a float and of the middle of two the number is.
     let (n, exponent) = if k < 1 << 31 { (2 * k + 1, 33) } else { (k | 1, 32) };
-    let n = n as f32;
-    if HAS_FPU {
-        n * if exponent == 33 { 1.0 / 8_589_934_592.0 } else { 1.0 / 4_294_967_296.0 }
-    } else {
-        f32::from_bits(n.to_bits() - (exponent << 23))
-    }
+    f32::from_bits((n as f32).to_bits() - (exponent << 23))
 }
 
 /// (2k + 1) / 2^33 toward zero.

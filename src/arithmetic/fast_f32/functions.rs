@@ -11,13 +11,15 @@ use super::root::root;
 use crate::target::CONVERSIONS_WAIT;
 use crate::target::form::{BRANCHES, WORDS};
 
+/// 2^-64: from here on every residual of a root is a normal number.
+pub(super) const FAR_FROM_0: f32 = 1.0 / 18_446_744_073_709_551_616.0;
+
 /// Square root of x in [0, MAX], correctly rounded; `core` has none.
 #[inline]
 pub(super) const fn sqrt(x: f32) -> f32 {
-    // 2^64: a subnormal number becomes a normal one, unless the processor takes it for 0.
-    const UP: f32 = 18_446_744_073_709_551_616.0;
-    let up = x * UP;
-    if x >= f32::MIN_POSITIVE {
+    // A subnormal number becomes a normal one, unless the processor takes it for 0.
+    let up = x * (1.0 / FAR_FROM_0);
+    if x >= FAR_FROM_0 {
         root(x)
     } else if up > 0.0 {
         root(up) * (1.0 / 4_294_967_296.0)

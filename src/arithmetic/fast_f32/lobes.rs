@@ -8,7 +8,7 @@ use crate::arithmetic::DiscKernel;
 use crate::arithmetic::float::{PowerExponent, exponent};
 use crate::block::{Block, Lanes};
 use crate::error::Error;
-use crate::target::form::{LANE, ONE, WORDS};
+use crate::target::form::{LANE, ONE};
 
 /// An exponent e > -1 with the power lobe's precomputed values.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +92,7 @@ const LOG_BELOW_MIN: f32 = -126.01;
 #[inline(always)]
 pub(super) const fn elevation<const FORM: u8>(exponent: FastExponent, ln: f32) -> [f32; 2] {
     let log = ln * exponent.rate;
-    if FORM == WORDS && log >= -0.5 {
+    if FORM != LANE && log >= -0.5 {
         // 2^k = 1, and nothing under- or overflows. From e = 20 on hardly a point is elsewhere.
         let excess = exp_2_1(log + log * exponent.lost);
         return [-excess * (2.0 + excess), 1.0 + excess];
