@@ -7,6 +7,10 @@
 //! Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical
 //! Ordering of Pixels", ACM TOG 39(6), 2020). No table, and no key for a pixel.
 
+mod row;
+
+pub use row::Row;
+
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::sampler::Sampler;
@@ -27,6 +31,8 @@ use crate::sampler::Sampler;
 /// }
 /// # Ok::<(), hemidisc::Error>(())
 /// ```
+///
+/// [`row`](Self::row) has the same sample of neighbouring pixels as a sequence, for fills.
 ///
 /// The first 2^k samples of a pixel are a net for each k, so a pixel may stop early or refine step
 /// by step. Samples from the stated number on begin another set of all pixels.

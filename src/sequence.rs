@@ -123,7 +123,7 @@ pub const fn grid(count: u32) -> [u32; 2] {
 
 /// The points from an index on, each by its index.
 #[inline(always)]
-fn looked_up<S: Sequence>(sequence: S, start: u32) -> impl Iterator<Item = [u32; 2]> {
+pub(crate) fn looked_up<S: Sequence>(sequence: S, start: u32) -> impl Iterator<Item = [u32; 2]> {
     LookedUp { sequence, index: start }
 }
 

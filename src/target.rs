@@ -6,7 +6,7 @@
 #[cfg(target_pointer_width = "16")]
 compile_error!("hemidisc counts points in u32 and needs a usize of at least 32 bits");
 
-/// Whether a buffer is filled by blocks of 64 points rather than point by point.
+/// Whether a buffer is filled by blocks of 64 and of 16 points rather than point by point.
 ///
 /// Blocks become vector code. On x86-64 they were faster for every sequence and map tried; on a
 /// microcontroller the arrays of a block cost more than they save.

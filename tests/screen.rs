@@ -1,6 +1,7 @@
 //! A screen's pixels: each has a net, so has each block of them, and what cannot be is refused.
 
-use hemidisc::{Domain, Error, Sampler, Screen};
+use hemidisc::invariant::consistent;
+use hemidisc::{Domain, Error, Map, Points, Sampler, Screen};
 use std::collections::HashSet;
 
 /// The strata of u that points hit, of as many as there are points.
@@ -32,6 +33,55 @@ fn pixels_and_blocks_of_pixels_are_nets() -> Result<(), Error> {
         assert_eq!(axes, [1024; 2], "{x} {y}");
         let cells: HashSet<_> = points.iter().map(|[u, v]| (u >> 27, v >> 27)).collect();
         assert_eq!(cells.len(), 1024, "{x} {y}");
+    }
+    Ok(())
+}
+
+/// The coordinates themselves.
+#[derive(Clone, Copy)]
+struct Cells;
+
+impl Map for Cells {
+    type Point = [u32; 2];
+
+    fn sample(&self, uv: [u32; 2]) -> [u32; 2] {
+        uv
+    }
+}
+
+/// The points of rows are those of the pixels one at a time, and rows follow each other to the end of
+/// the line, whatever the screen's tiles.
+#[test]
+fn rows_are_their_pixels() -> Result<(), Error> {
+    for (width, samples) in [
+        (1, 1),
+        (70, 1),
+        (200, 16),
+        (70_000, 3),
+        (1000, 1 << 20),
+        (300, 1 << 24),
+        (40, 1 << 31),
+        (5, u32::MAX),
+    ] {
+        let screen = Screen::new(Domain::new(7), [width, 5], samples)?;
+        for (y, sample) in [(0, 0), (4, samples / 2), (3, samples), (1, samples - 1)] {
+            let mut x = 0;
+            while let Ok(row) = screen.row(x, y, sample) {
+                let row = row.child(9);
+                let mut filled = vec![[0; 2]; row.pixels() as usize];
+                assert_eq!(Points::new(row, Cells).fill(&mut filled), filled.len());
+                for (x, pair) in (x..).zip(filled) {
+                    let one = screen.pixel(x, y)?.sampler(sample).child(9);
+                    assert_eq!(pair, one.pair(), "{x} {y} {sample} of {width} {samples}");
+                }
+                assert_eq!(row.sampler(0), screen.pixel(x, y)?.sampler(sample).child(9));
+                for start in [0, 64, row.pixels().saturating_sub(64), row.pixels(), 1 << 20] {
+                    assert_eq!(consistent(&row, start), Ok(()));
+                }
+                x += row.pixels();
+            }
+            assert_eq!(x, width);
+        }
     }
     Ok(())
 }

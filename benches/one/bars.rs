@@ -29,8 +29,7 @@ pub(crate) const BARS: &[Bar] = &[
     Bar { path: "effect/glossy-zero/fast-f32",     peer: "peer/glossy/suffern",                   at_least: [0.8, 0.9] },
     Bar { path: "fill/16/disc/concentric/fast-f32",   peer: "fill/4096/disc/concentric/fast-f32",   at_least: [0.4, 0.4] },
     Bar { path: "fill/16/cosine/concentric/fast-f32", peer: "fill/4096/cosine/concentric/fast-f32", at_least: [0.4, 0.4] },
-    // Later, with a row of pixels as a sequence:
-    // Bar { path: "row/64/cosine/concentric/fast-f32", peer: "bounce/cosine", at_least: [4.0, 8.0] },
+    Bar { path: "row/64/cosine/concentric/fast-f32", peer: "screen/cosine",                         at_least: [4.0, 8.0] },
 ];
 
 impl Bar {

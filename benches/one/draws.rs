@@ -15,6 +15,7 @@ pub(crate) fn every(calls: &mut Calls<'_>) {
     calls.call("pair/joint", joint);
     calls.call("pair/chance", chance);
     calls.call("lens/concentric", lens);
+    calls.call("screen/cosine", direction);
     calls.call("bounce/cosine", bounce);
     calls.call("bounce/cosine-checked", checked);
 }
@@ -30,6 +31,11 @@ fn screen(given: Given) -> Option<[u32; 2]> {
     let screen = Screen::new(Domain::new(7), SIZE, 16).ok()?;
     let [x, y] = given.pixel();
     Some(screen.pixel(x, y).ok()?.sampler(given.index() & 15).child(given.key()).pair())
+}
+
+/// A direction for such a pixel, about the z axis.
+fn direction(given: Given) -> Option<[f32; 3]> {
+    Some(Cosine::<FastF32>::new().sample(screen(given)?))
 }
 
 /// A child and its four joint numbers.

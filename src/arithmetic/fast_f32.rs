@@ -14,12 +14,16 @@
 //! four operations and the step two, for every point. Shrinking all points by as much would be as
 //! cheap, but all would lose accuracy.
 //!
-//! **Branches.** A small core has no vectors, and a branch costs it less than the swap or test that
-//! it avoids. There both sides of the diagonal have code of their own, and only points near the rim
+//! **Forms.** A kernel is written for a lane of a block, for a point alone on a processor of 64-bit
+//! words, and for a small core. That has no vectors, and a branch costs it less than the swap or test
+//! that it avoids: both sides of the diagonal have code of their own, and only points near the rim
 //! are tested. The bits are the same.
 //!
 //! **Lobes.** sin theta is the root of r^2 (1 + (1 - r^2)) for the uniform lobe; the power lobe
-//! takes one logarithm and one exponential, from which z and 1 - z both come without cancellation.
+//! takes one logarithm and one power of 2, from which z and 1 - z both come without cancellation. A
+//! direction of the octant, which is at hand earlier, is multiplied by sin theta.
+//!
+//! **Roots** are correctly rounded, by an instruction or without (`root.rs`).
 //!
 //! There is no fused multiply-add and no reordered sum: the bits are the same on SSE2, AVX-512, Arm
 //! and RISC-V. Everything up to the exponent is `const`.

@@ -51,7 +51,8 @@ pub(crate) fn scramble_low<const N: usize>(first: u32, seed: u32) -> Lanes<u16, 
     let p2 = ((x ^ p1) & LOWER).wrapping_mul(MULTIPLIERS[2]);
 
     let mut places = [0; N];
-    let within = first as u16 & 63;
+    // Of 64 numbers the places are constants.
+    let within = if N == 64 { 0 } else { first as u16 & 63 };
     for (place, low) in places.iter_mut().zip(0_u16..) {
         *place = ((within | low) << 10).reverse_bits();
     }

@@ -113,6 +113,25 @@ impl SobolOwen {
             *u = high | low;
             *v = below ^ pascal_reversed(low);
         }
+        self.scramble_each(u, v);
+    }
+
+    /// The points of the indices that `u` holds, in passes.
+    #[inline(always)]
+    pub(crate) fn points<const N: usize>(self, u: &mut Block<N>, v: &mut Block<N>) {
+        for index in u.iter_mut() {
+            *index = scramble_reversed(index.reverse_bits(), self.order);
+        }
+        for (u, v) in u.iter_mut().zip(v.iter_mut()) {
+            *u = u.reverse_bits();
+            *v = pascal_reversed(*u);
+        }
+        self.scramble_each(u, v);
+    }
+
+    /// Reversed coordinates to coordinates.
+    #[inline(always)]
+    fn scramble_each<const N: usize>(self, u: &mut Block<N>, v: &mut Block<N>) {
         for (axis, key) in [u, v].into_iter().zip(self.axes) {
             for k in axis.iter_mut() {
                 *k = scramble_reversed(*k, key);

@@ -99,7 +99,7 @@ fn square_roots_are_correctly_rounded() {
     for exponent in 1..255_u32 {
         (0..1 << 23).step_by(4093).for_each(|m| check(f32::from_bits(exponent << 23 | m)));
         // Next to squares of numbers of 24 and of 12 bits.
-        for root in [1.0_f32, 1.5, 1.9375, 1.999_511_7, 1.999_999_9, 1.414_2] {
+        for root in [1.0_f32, 1.5, 1.9375, 1.999_511_7, 1.999_999_9, 1.3] {
             let square = (root * root).to_bits() & 0x007f_ffff | exponent << 23;
             let last = (square + 2).min(f32::MAX.to_bits());
             ((square - 2).max(1 << 23)..=last).for_each(|x| check(f32::from_bits(x)));
