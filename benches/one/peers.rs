@@ -44,6 +44,8 @@ pub(crate) fn of(path: &str) -> Vec<String> {
         ["fill", points, map, disc, arithmetic] if points != LONG.to_string() => {
             return vec![format!("fill/{LONG}/{map}/{disc}/{arithmetic}")];
         }
+        // The same pixels one at a time.
+        ["row", ..] => &["screen/cosine"],
         _ => &[],
     };
     peers.iter().map(|peer| (*peer).to_owned()).collect()
