@@ -186,7 +186,11 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
-    fn disc_block<D: KernelOf<Self>, const N: usize>(u: &Block<N>, v: &Block<N>, out: &mut [Lanes<f32, N>; 2]) {
+    fn disc_block<D: KernelOf<Self>, const N: usize>(
+        u: &Block<N>,
+        v: &Block<N>,
+        out: &mut [Lanes<f32, N>; 2],
+    ) {
         disc::passes::<D, N>(u, v, out);
     }
 
@@ -196,7 +200,11 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
-    fn uniform_block<D: KernelOf<Self>, const N: usize>(u: &Block<N>, v: &Block<N>, out: &mut [Lanes<f32, N>; 3]) {
+    fn uniform_block<D: KernelOf<Self>, const N: usize>(
+        u: &Block<N>,
+        v: &Block<N>,
+        out: &mut [Lanes<f32, N>; 3],
+    ) {
         lobes::uniform_passes::<D, N>(u, v, out);
     }
 
@@ -207,7 +215,11 @@ impl Arithmetic for FastF32 {
     }
 
     #[inline(always)]
-    fn cosine_block<D: KernelOf<Self>, const N: usize>(u: &Block<N>, v: &Block<N>, out: &mut [Lanes<f32, N>; 3]) {
+    fn cosine_block<D: KernelOf<Self>, const N: usize>(
+        u: &Block<N>,
+        v: &Block<N>,
+        out: &mut [Lanes<f32, N>; 3],
+    ) {
         lobes::cosine_passes::<D, N>(u, v, out);
     }
 

@@ -345,7 +345,11 @@ pub(super) fn in_octant<D: DiscKernel<Disc = FastDisc>, const N: usize>(
 
 /// From r and r t to x and y in the octant.
 #[inline(always)]
-pub(super) fn less_gaps<const N: usize>(x: &mut Lanes<f32, N>, y: &mut Lanes<f32, N>, t: &Lanes<f32, N>) {
+pub(super) fn less_gaps<const N: usize>(
+    x: &mut Lanes<f32, N>,
+    y: &mut Lanes<f32, N>,
+    t: &Lanes<f32, N>,
+) {
     for lane in 0..N {
         let [cos, sin] = gaps(t[lane] * t[lane]);
         x[lane] -= x[lane] * cos;

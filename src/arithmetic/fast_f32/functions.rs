@@ -78,8 +78,14 @@ pub(super) const fn exp_2(x: f32, d: f32) -> [f32; 2] {
 /// 2^f - 1 for |f| <= 1/2 and a little.
 #[inline(always)]
 pub(super) const fn exp_2_1(f: f32) -> f32 {
-    const EXP_2: [f32; 6] =
-        [core::f32::consts::LN_2, 0.240_226_5, 5.550_366_3e-2, 9.618_323e-3, 1.338_791_2e-3, 1.537_677_6e-4];
+    const EXP_2: [f32; 6] = [
+        core::f32::consts::LN_2,
+        0.240_226_5,
+        5.550_366_3e-2,
+        9.618_323e-3,
+        1.338_791_2e-3,
+        1.537_677_6e-4,
+    ];
     let f2 = f * f;
     let low = EXP_2[0] + f * EXP_2[1];
     let high = (EXP_2[2] + f * EXP_2[3]) + f2 * (EXP_2[4] + f * EXP_2[5]);

@@ -72,12 +72,7 @@ pub(super) const fn power(exponent: FastExponent, disc: FastDisc) -> [f32; 2] {
 
 /// Its direction, from z and the root of the square.
 #[inline(always)]
-pub(super) const fn powered(
-    exponent: FastExponent,
-    disc: FastDisc,
-    root: f32,
-    z: f32,
-) -> [f32; 3] {
+pub(super) const fn powered(exponent: FastExponent, disc: FastDisc, root: f32, z: f32) -> [f32; 3] {
     let [x, y] = disc.place_at::<ONE>(root, exponent.shrink);
     [x, y, z]
 }

@@ -144,7 +144,10 @@ fn logarithms_of<const FORM: u8>() {
     }
     for complement in floats(0.5_f32.powi(33), 0.5) {
         let exact = f64::from(complement).ln();
-        far.include(complement, relative(ln_complement::<FORM>(1.0 - complement, complement), exact));
+        far.include(
+            complement,
+            relative(ln_complement::<FORM>(1.0 - complement, complement), exact),
+        );
     }
     near.assert();
     far.assert();
@@ -241,7 +244,11 @@ fn centres_of<const FORM: u8>() {
         let down = if f64::from(nearest) > exact { nearest.next_down() } else { nearest };
         assert_eq!([centre_nearest::<FORM>(k), centre_down(k)], [nearest, down], "{k:x}");
         let n = k >> 1;
-        assert_eq!(centre::<FORM, 31>(n), (n.cast_signed() as f32 + 0.5) * 0.5_f32.powi(31), "{n:x}");
+        assert_eq!(
+            centre::<FORM, 31>(n),
+            (n.cast_signed() as f32 + 0.5) * 0.5_f32.powi(31),
+            "{n:x}"
+        );
     }
 }
 
