@@ -115,7 +115,13 @@ fn across<R: Real>(vector: [R; 3], axis: [R; 3]) -> Result<[R; 3], Error> {
     // Twice is enough: what rounding has left along the axis is small beside the first rest, but
     // may not be beside 1 (B. Parlett, "The Symmetric Eigenvalue Problem", 1980).
     let once = Unit::normalized(rest)?.get();
-    Ok(Unit::polished(rejected(once, axis)).get())
+    Ok(renewed(rejected(once, axis))?.get())
+}
+
+/// The direction of a vector within 2 ulp, where [`Unit::normalized`] keeps what is within 16. What
+/// was all but along the axis may have lost any part of its length.
+fn renewed<R: Real>(vector: [R; 3]) -> Result<Unit<R>, Error> {
+    Unit::normalized(vector.map(|x| x + x))
 }
 
 /// What is left of a vector across another. A unit vector's length is within 8 ulp of 1, which a

@@ -49,8 +49,8 @@ impl<R: Real> Unit<R> {
         R::normalized(vector).map(Self)
     }
 
-    /// A vector whose length squared 1 + d is within 1e-4 of 1, brought to it without a branch:
-    /// 1 / sqrt(1 + d) is 1 - d / 2 within d^2 / 2.
+    /// A vector that rounding alone has moved from unit length, brought to it without a branch: of a
+    /// length squared of 1 + d, 1 / sqrt(1 + d) is 1 - d / 2 within d^2 / 2.
     #[inline]
     pub(crate) fn polished(vector: [R; 3]) -> Self {
         let half = (R::dot(vector, vector) - R::ONE) * R::HALF;

@@ -135,7 +135,7 @@ pub const FAULTS: &[Fault] = &[
         ["sum = *term - d * sum;", "sum = if rest.len() > 3 { 0.0 } else { *term - d * sum };"],
         &["corpus::frame", "frame"]),
     fault("a frame's tangent is made orthogonal once", "frame/axes.rs",
-        ["Ok(Unit::polished(rejected(once, axis)).get())", "Ok(once)"],
+        ["Ok(renewed(rejected(once, axis))?.get())", "Ok(once)"],
         &["corpus::frame", "frame"]),
     fault("frame: a normal without a direction", "arithmetic/float/vector.rs",
         ["Err(_) => [0.0, 0.0, 1.0],", "Err(_) => [0.0; 3],"],
