@@ -239,7 +239,7 @@ impl Arithmetic for FastF32 {
 
     #[inline(always)]
     fn power_with_density(exponent: FastExponent, disc: FastDisc) -> ([f32; 3], f32) {
-        let direction = Self::lift_power(exponent, disc);
+        let direction = Self::power(exponent, disc);
         (direction, exponent.density_of_sample(disc.one_minus_r2, direction))
     }
 
