@@ -43,19 +43,22 @@ impl Request {
 
 /// A source of samples. For each pixel that is asked for, [`pixel`](Self::pixel) is called, for each
 /// of its samples [`begin`](Self::begin), and for each surface that a path meets
-/// [`bounce`](Self::bounce) and at most one of the others.
+/// [`bounce`](Self::bounce) and at most one of the others. A stream of random numbers has no place, so
+/// for it both do nothing.
 pub(crate) trait Source {
     fn new(request: &Request) -> Self;
 
     /// The pixel that the next paths are of.
-    fn pixel(&mut self, x: u32, y: u32);
+    #[inline]
+    fn pixel(&mut self, _x: u32, _y: u32) {}
 
     /// A path begins: a uniform point of [0, 1)^2, for the film, and one of the unit disc, for the
     /// lens.
     fn begin(&mut self, sample: u32) -> [[f32; 2]; 2];
 
     /// The path is at its next surface.
-    fn bounce(&mut self);
+    #[inline]
+    fn bounce(&mut self) {}
 
     /// A direction about a normal, of density cos / pi.
     fn lambert(&mut self, normal: Vector) -> Vector;

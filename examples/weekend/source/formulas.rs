@@ -32,17 +32,11 @@ impl Source for Formulas {
     }
 
     #[inline]
-    fn pixel(&mut self, _: u32, _: u32) {}
-
-    #[inline]
     fn begin(&mut self, _: u32) -> [[f32; 2]; 2] {
         let film = self.0.random();
         let (lens, _) = disc(self.0.random());
         [film, lens]
     }
-
-    #[inline]
-    fn bounce(&mut self) {}
 
     /// A point of the disc, raised to the hemisphere.
     #[inline]

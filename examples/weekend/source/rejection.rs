@@ -44,15 +44,9 @@ impl Source for Rejection {
     }
 
     #[inline]
-    fn pixel(&mut self, _: u32, _: u32) {}
-
-    #[inline]
     fn begin(&mut self, _: u32) -> [[f32; 2]; 2] {
         [self.0.random(), self.inside()]
     }
-
-    #[inline]
-    fn bounce(&mut self) {}
 
     /// The normal and a uniform direction.
     #[inline]
