@@ -148,10 +148,10 @@ impl<S: Sequence, M: Map> Points<S, M> {
         let (mut next, mut left, mut slots) = (start, count, slots);
         while left > 0 {
             let place = next as usize % BLOCK;
-            let whole = left.min(BLOCK - place);
             let taken = if place == 0 && left >= BLOCK {
                 left - left % BLOCK
             } else if place.is_multiple_of(SHORT_BLOCK) && left >= SHORT_BLOCK {
+                let whole = left.min(BLOCK - place);
                 whole - whole % SHORT_BLOCK
             } else {
                 left.min(SHORT_BLOCK - place % SHORT_BLOCK)

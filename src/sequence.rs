@@ -28,7 +28,7 @@ mod rng;
 mod shifted;
 mod shuffled;
 mod stored;
-mod walk;
+pub(crate) mod walk;
 
 macro_rules! modules {
     ($($file:ident $sequence:ident $name:literal $kind:ident $new:ident $parts:tt;)*) => {$(

@@ -32,6 +32,7 @@ mod back;
 mod disc;
 mod functions;
 mod lobes;
+mod passes;
 mod root;
 #[cfg(test)]
 mod tests;
@@ -191,7 +192,7 @@ impl Arithmetic for FastF32 {
         v: &Block<N>,
         out: &mut [Lanes<f32, N>; 2],
     ) {
-        disc::passes::<D, N>(u, v, out);
+        passes::disc::<D, N>(u, v, out);
     }
 
     #[inline(always)]
@@ -205,7 +206,7 @@ impl Arithmetic for FastF32 {
         v: &Block<N>,
         out: &mut [Lanes<f32, N>; 3],
     ) {
-        lobes::uniform_passes::<D, N>(u, v, out);
+        passes::uniform::<D, N>(u, v, out);
     }
 
     #[inline(always)]
@@ -220,7 +221,7 @@ impl Arithmetic for FastF32 {
         v: &Block<N>,
         out: &mut [Lanes<f32, N>; 3],
     ) {
-        lobes::cosine_passes::<D, N>(u, v, out);
+        passes::cosine::<D, N>(u, v, out);
     }
 
     fn exponent(e: f32) -> Result<FastExponent, Error> {
@@ -250,6 +251,6 @@ impl Arithmetic for FastF32 {
         v: &Block<N>,
         out: &mut [Lanes<f32, N>; 3],
     ) {
-        lobes::power_passes::<D, N>(exponent, u, v, out);
+        passes::power::<D, N>(exponent, u, v, out);
     }
 }

@@ -6,7 +6,7 @@
 //! 9(4), 2020) with the constants of N. Vegdahl's 2021 search, as in the crate `sobol_burley`.
 //! `seed` must be well mixed already: consecutive integers will not do.
 
-use crate::block::{Block, Lanes};
+use crate::block::{BLOCK, Block, Lanes};
 
 const MULTIPLIERS: [u32; 3] = [0x3d20_adea, 0x0552_6c56, 0x53a2_2864];
 
@@ -51,8 +51,8 @@ pub(crate) fn scramble_low<const N: usize>(first: u32, seed: u32) -> Lanes<u16, 
     let p2 = ((x ^ p1) & LOWER).wrapping_mul(MULTIPLIERS[2]);
 
     let mut places = [0; N];
-    // Of 64 numbers the places are constants.
-    let within = if N == 64 { 0 } else { first as u16 & 63 };
+    // In a whole block the places are constants.
+    let within = if N == BLOCK { 0 } else { first as u16 & 63 };
     for (place, low) in places.iter_mut().zip(0_u16..) {
         *place = ((within | low) << 10).reverse_bits();
     }
@@ -136,7 +136,7 @@ impl Halves {
 mod tests {
     use super::*;
     use crate::bits::hash::mix;
-    use crate::block::{BLOCK, SHORT_BLOCK};
+    use crate::block::SHORT_BLOCK;
 
     #[test]
     fn low_bits_of_a_block_are_those_of_its_numbers() {

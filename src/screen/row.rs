@@ -8,6 +8,7 @@ use crate::block::{Block, SHORT_BLOCK};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::sampler::Sampler;
+use crate::sequence::walk::{is_inside, repeat};
 use crate::sequence::{Sequence, SobolOwen, looked_up};
 
 /// Neighbouring pixels of a row of a [`Screen`], at one of their samples: a set of as many points as
@@ -91,16 +92,8 @@ impl Row {
     #[must_use]
     #[inline]
     pub const fn sampler(&self, index: u32) -> Sampler {
-        let index = if index < self.pixels { index } else { self.repeated(index) };
+        let index = repeat(index, self.pixels);
         Sampler::new(self.domain, self.base | bits_of_x(self.x + index, self.log2))
-    }
-
-    #[cold]
-    const fn repeated(&self, index: u32) -> u32 {
-        match index.checked_rem(self.pixels) {
-            Some(index) => index,
-            None => 0,
-        }
     }
 
     /// The pixels' points, by keys that are mixed once.
@@ -148,7 +141,7 @@ impl Keyed {
     #[inline(always)]
     fn points<const N: usize>(&self, start: u32, u: &mut Block<N>, v: &mut Block<N>) {
         let Row { x, pixels, base, log2, .. } = self.row;
-        if u64::from(start) + N as u64 <= u64::from(pixels) {
+        if is_inside::<N>(start, pixels) {
             for (index, lane) in u.iter_mut().zip(0..) {
                 *index = base | bits_of_x(x + start + lane, log2);
             }

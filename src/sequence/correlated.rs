@@ -14,7 +14,7 @@ use crate::bits::{
     permute::{permute, permute_block},
     strata::Strata,
 };
-use crate::block::Block;
+use crate::block::{BLOCK, Block};
 use crate::error::Error;
 
 /// One random point in each cell of an m x n grid, in each of mn columns and in each of mn rows,
@@ -113,7 +113,7 @@ impl Sequence for Correlated {
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         let Self { grid, fine, .. } = *self;
-        if !is_inside(start, grid.size()) {
+        if !is_inside::<BLOCK>(start, grid.size()) {
             return block_in_order(self.iter(start), u, v);
         }
         let mut order = indices(start);

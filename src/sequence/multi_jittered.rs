@@ -117,7 +117,7 @@ impl Sequence for MultiJittered {
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         let Self { grid, fine, .. } = *self;
-        if !is_inside(start, grid.size()) {
+        if !is_inside::<BLOCK>(start, grid.size()) {
             return block_in_order(self.iter(start), u, v);
         }
         let (mut columns, mut rows) = ([0; BLOCK], [0; BLOCK]);

@@ -9,7 +9,7 @@ use crate::bits::{
     permute::{permute, permute_block},
     strata::Strata,
 };
-use crate::block::Block;
+use crate::block::{BLOCK, Block};
 use crate::error::Error;
 
 /// N points, one in each of N columns and one in each of N rows: column i, a random row.
@@ -99,7 +99,7 @@ impl Sequence for NRooks {
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
         let Self { strata, rows, jitter } = *self;
-        if !is_inside(start, strata.count()) {
+        if !is_inside::<BLOCK>(start, strata.count()) {
             return block_in_order(self.iter(start), u, v);
         }
         *v = indices(start);

@@ -103,6 +103,15 @@ const fn scrambled([u, v]: [u32; 2], [key_u, key_v]: [u32; 2]) -> [u32; 2] {
 /// coordinates differ. The block runs in passes, because a point is a dependency chain of 60 operations.
 impl SobolOwen {
     #[inline(always)]
+    fn any_block<const N: usize>(self, start: u32, u: &mut Block<N>, v: &mut Block<N>) {
+        if VECTORS_OF_HALVES {
+            self.block_in_halves(start, u, v);
+        } else {
+            self.block_in_words(start, u, v);
+        }
+    }
+
+    #[inline(always)]
     fn block_in_words<const N: usize>(self, start: u32, u: &mut Block<N>, v: &mut Block<N>) {
         let high = shuffle(start, self.order) & !LOW;
         let below = pascal_reversed(high);
@@ -185,20 +194,12 @@ impl Sequence for SobolOwen {
 
     #[inline(always)]
     fn block(&self, start: u32, u: &mut Block, v: &mut Block) {
-        if VECTORS_OF_HALVES {
-            self.block_in_halves(start, u, v);
-        } else {
-            self.block_in_words(start, u, v);
-        }
+        self.any_block(start, u, v);
     }
 
     #[inline(always)]
     fn short_block(&self, start: u32, u: &mut Block<SHORT_BLOCK>, v: &mut Block<SHORT_BLOCK>) {
-        if VECTORS_OF_HALVES {
-            self.block_in_halves(start, u, v);
-        } else {
-            self.block_in_words(start, u, v);
-        }
+        self.any_block(start, u, v);
     }
 
     /// Pairs stay pairs, so an odd index is shuffled to what the even one before it is, with the

@@ -2,12 +2,12 @@
 //! advance, and the blocks of those that are not vector code.
 
 use super::Sequence;
-use crate::block::{BLOCK, Block};
+use crate::block::Block;
 use crate::target::{HALVES, REVERSES_BITS};
 
 /// `index` modulo `size`, without a division for an index inside the set. A set is never empty.
 #[inline(always)]
-pub(super) const fn repeat(index: u32, size: u32) -> u32 {
+pub(crate) const fn repeat(index: u32, size: u32) -> u32 {
     if index < size {
         index
     } else if HALVES {
@@ -131,11 +131,11 @@ macro_rules! walks {
 }
 pub(super) use walks;
 
-/// Whether a block of indices from `start` on is inside a set, which does not repeat before its
+/// Whether a block of N indices from `start` on is inside a set, which does not repeat before its
 /// end.
 #[inline(always)]
-pub(super) const fn is_inside(start: u32, size: u32) -> bool {
-    start as u64 + BLOCK as u64 <= size as u64
+pub(crate) const fn is_inside<const N: usize>(start: u32, size: u32) -> bool {
+    start as u64 + N as u64 <= size as u64
 }
 
 /// The indices of a block.

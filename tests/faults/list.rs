@@ -96,7 +96,7 @@ pub const FAULTS: &[Fault] = &[
         ["(self.cell() >> 8) as f32 * (1.0 / 16_777_216.0)", "self.cell() as f32 * (1.0 / 4_294_967_296.0)"],
         &["sampler"]),
     fault("short block: each begins at the first of 64", "bits/owen.rs",
-        ["let within = if N == 64 { 0 } else { first as u16 & 63 };", "let within = 0;"],
+        ["let within = if N == BLOCK { 0 } else { first as u16 & 63 };", "let within = 0;"],
         &["lib::bits::owen", "lib::sequence::sobol_owen"]),
     fault("short block: a row goes on past its tile", "screen/row.rs",
         ["let tile = 1 << ((33 - self.log2) / 2);", "let tile = 1 << ((34 - self.log2) / 2);"],

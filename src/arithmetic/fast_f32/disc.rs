@@ -1,13 +1,5 @@
-//! The disc kernels: both maps to an octant, the octant's placement, and the same over a block.
-//!
-//! **Blocks.** One point is a dependency chain of 40 to 130 operations. Out-of-order execution
-//! overlaps two or three such chains, but many short ones. So a block is processed in passes, each
-//! over a part of the chain, with intermediate values on the stack. On x86-64 that is 1.2 to 1.3
-//! times as fast as one loop, and more for the power lobe. A pass recomputes what is cheap, such as
-//! a sign; the compiler removes the parts of a point that it does not use.
+//! The disc kernels: both maps to an octant, and the octant's placement.
 
-use crate::arithmetic::DiscKernel;
-use crate::block::{Block, Lanes};
 use crate::coordinates::{Angle, fold, fold_angle};
 use crate::target::form::{BRANCHES, LANE, ONE, WORDS};
 use crate::target::{CONVERSIONS_WAIT, HAS_FPU};
@@ -34,8 +26,8 @@ pub struct FastDisc {
     /// 1 - cos phi and 1 - sin phi / t.
     gaps: [f32; 2],
     /// r and r t: x and y are these less their gaps.
-    ends: [f32; 2],
-    place: Place,
+    pub(super) ends: [f32; 2],
+    pub(super) place: Place,
     pub(super) r2: f32,
     pub(super) one_minus_r2: f32,
 }
@@ -85,8 +77,8 @@ pub(super) const fn centre_nearest<const FORM: u8>(k: u32) -> f32 {
     if FORM != BRANCHES || HAS_FPU {
         return halves(k, 0);
     }
-    // 2k + 1 where it fits, or else k with the half that it lacks as its lowest bit, which only says
-    // to which side of a float and of the middle of two the number is.
+    // 2k + 1 where it fits, or else k, whose lowest bit stands for the half that it lacks. That bit
+    // only says to which side of a float, or of the middle of two, the number is.
     let (n, exponent) = if k < 1 << 31 { (2 * k + 1, 33) } else { (k | 1, 32) };
     f32::from_bits((n as f32).to_bits() - (exponent << 23))
 }
@@ -139,7 +131,7 @@ impl Place {
     /// A point of the octant in its place. If not `at_rim`, it is inside by more than all errors, and
     /// a branch skips the exact test.
     #[inline(always)]
-    const fn placed<const FORM: u8>(self, point: [f32; 2], at_rim: bool) -> [f32; 2] {
+    pub(super) const fn placed<const FORM: u8>(self, point: [f32; 2], at_rim: bool) -> [f32; 2] {
         let Self { swap, signs } = self;
         if FORM == LANE {
             return signed::<FORM>(exchanged(swap, inward(point)), signs);
@@ -274,7 +266,7 @@ impl FastDisc {
     /// The same of a lobe.
     #[cfg(test)]
     pub(super) const fn lobe_at_fraction<const FORM: u8>(r: f32, t: f32) -> [f32; 2] {
-        Place { swap: 0, signs: [0; 2] }.at::<FORM>(r, direction(t), at_rim(r))
+        Place { swap: 0, signs: [0; 2] }.at::<FORM>(r, direction(t, gaps(t * t)), at_rim(r))
     }
 
     /// sin^2 theta of the uniform lobe, 1 - (1 - r^2)^2 = r^2 (1 + (1 - r^2)), not above 1.
@@ -294,8 +286,8 @@ impl FastDisc {
     /// of two, is at hand before the other, as the direction is.
     #[inline(always)]
     pub(super) const fn place_at<const FORM: u8>(self, distance: f32, shrink: f32) -> [f32; 2] {
-        let Self { t, gaps: [cos, sin], place, .. } = self;
-        let [x, y] = [1.0 - cos, t - t * sin];
+        let Self { t, gaps, place, .. } = self;
+        let [x, y] = direction(t, gaps);
         if FORM == BRANCHES {
             let distance = distance * shrink;
             return place.at::<FORM>(distance, [x, y], at_rim(distance));
@@ -315,65 +307,8 @@ pub(super) const fn at_most_1(square: f32) -> f32 {
     if square < 1.0 { square } else { 1.0 }
 }
 
-/// The points of a disc map.
+/// The direction in the octant of t = phi / (pi/4), from its gaps.
 #[inline(always)]
-pub(super) fn passes<D: DiscKernel<Disc = FastDisc>, const N: usize>(
-    u: &Block<N>,
-    v: &Block<N>,
-    [x, y]: &mut [Lanes<f32, N>; 2],
-) {
-    in_octant::<D, N>(u, v, x, y);
-    to_places::<D, N>(u, v, x, y);
-}
-
-/// x and y of the points, in the octant.
-#[inline(always)]
-pub(super) fn in_octant<D: DiscKernel<Disc = FastDisc>, const N: usize>(
-    u: &Block<N>,
-    v: &Block<N>,
-    x: &mut Lanes<f32, N>,
-    y: &mut Lanes<f32, N>,
-) {
-    let mut t = [0.0; N];
-    for lane in 0..N {
-        let FastDisc { ends, t: tangent, .. } = D::lane([u[lane], v[lane]]);
-        [x[lane], y[lane]] = ends;
-        t[lane] = tangent;
-    }
-    less_gaps(x, y, &t);
-}
-
-/// From r and r t to x and y in the octant.
-#[inline(always)]
-pub(super) fn less_gaps<const N: usize>(
-    x: &mut Lanes<f32, N>,
-    y: &mut Lanes<f32, N>,
-    t: &Lanes<f32, N>,
-) {
-    for lane in 0..N {
-        let [cos, sin] = gaps(t[lane] * t[lane]);
-        x[lane] -= x[lane] * cos;
-        y[lane] -= y[lane] * sin;
-    }
-}
-
-/// In a direction of the octant.
-#[inline(always)]
-pub(super) const fn direction(t: f32) -> [f32; 2] {
-    let [cos, sin] = gaps(t * t);
+pub(super) const fn direction(t: f32, [cos, sin]: [f32; 2]) -> [f32; 2] {
     [1.0 - cos, t - t * sin]
-}
-
-/// From the octant to their places.
-#[inline(always)]
-pub(super) fn to_places<D: DiscKernel<Disc = FastDisc>, const N: usize>(
-    u: &Block<N>,
-    v: &Block<N>,
-    x: &mut Lanes<f32, N>,
-    y: &mut Lanes<f32, N>,
-) {
-    for lane in 0..N {
-        let FastDisc { place, .. } = D::lane([u[lane], v[lane]]);
-        [x[lane], y[lane]] = place.placed::<LANE>([x[lane], y[lane]], true);
-    }
 }

@@ -1,12 +1,9 @@
-//! The lobes of fast f32: the power lobe and its exponent, and all three over a block of points.
+//! The power lobe of fast f32, and its exponent.
 
 use super::back::Functions;
-use super::disc::{FastDisc, at_most_1, direction, in_octant, to_places};
+use super::disc::{FastDisc, at_most_1};
 use super::functions::{exp_2, exp_2_1, ln_complement, sqrt};
-use super::root::now;
-use crate::arithmetic::DiscKernel;
 use crate::arithmetic::float::{PowerExponent, exponent};
-use crate::block::{Block, Lanes};
 use crate::error::Error;
 use crate::target::form::{LANE, ONE};
 
@@ -19,7 +16,7 @@ pub struct FastExponent {
     rate: f32,
     lost: f32,
     /// 2^-k: 1 up to e + 1 = 2^42.
-    shrink: f32,
+    pub(super) shrink: f32,
 }
 
 impl FastExponent {
@@ -98,78 +95,4 @@ pub(super) const fn elevation<const FORM: u8>(exponent: FastExponent, ln: f32) -
     let (gap, sum) = ((1.0 - power) - excess, (1.0 + power) + excess);
     let z = power + excess;
     [at_most_1(gap * sum), if z > f32::MIN_POSITIVE { z } else { f32::MIN_POSITIVE }]
-}
-
-/// The uniform lobe over them.
-#[inline(always)]
-pub(super) fn uniform_passes<D: DiscKernel<Disc = FastDisc>, const N: usize>(
-    u: &Block<N>,
-    v: &Block<N>,
-    [x, y, z]: &mut [Lanes<f32, N>; 3],
-) {
-    for lane in 0..N {
-        let disc = D::lane([u[lane], v[lane]]);
-        x[lane] = disc.uniform_square();
-        z[lane] = disc.one_minus_r2;
-    }
-    for sin in x.iter_mut() {
-        *sin = now(*sin);
-    }
-    at_distances::<D, N>(u, v, x, y);
-}
-
-/// The cosine lobe over them.
-#[inline(always)]
-pub(super) fn cosine_passes<D: DiscKernel<Disc = FastDisc>, const N: usize>(
-    u: &Block<N>,
-    v: &Block<N>,
-    [x, y, z]: &mut [Lanes<f32, N>; 3],
-) {
-    for lane in 0..N {
-        z[lane] = D::lane([u[lane], v[lane]]).one_minus_r2;
-    }
-    for z in z {
-        *z = now(*z);
-    }
-    in_octant::<D, N>(u, v, x, y);
-    to_places::<D, N>(u, v, x, y);
-}
-
-/// The power lobe over them.
-#[inline(always)]
-pub(super) fn power_passes<D: DiscKernel<Disc = FastDisc>, const N: usize>(
-    exponent: FastExponent,
-    u: &Block<N>,
-    v: &Block<N>,
-    [x, y, z]: &mut [Lanes<f32, N>; 3],
-) {
-    for lane in 0..N {
-        let FastDisc { r2, one_minus_r2, .. } = D::lane([u[lane], v[lane]]);
-        z[lane] = ln_complement::<LANE>(r2, one_minus_r2);
-    }
-    for (square, z) in x.iter_mut().zip(z) {
-        [*square, *z] = elevation::<LANE>(exponent, *z);
-    }
-    for sin in x.iter_mut() {
-        *sin = now(*sin) * exponent.shrink;
-    }
-    at_distances::<D, N>(u, v, x, y);
-}
-
-/// Points in the directions of a disc map's points, at the distances from the axis in x.
-#[inline(always)]
-fn at_distances<D: DiscKernel<Disc = FastDisc>, const N: usize>(
-    u: &Block<N>,
-    v: &Block<N>,
-    x: &mut Lanes<f32, N>,
-    y: &mut Lanes<f32, N>,
-) {
-    for lane in 0..N {
-        y[lane] = D::lane([u[lane], v[lane]]).t;
-    }
-    for (x, y) in x.iter_mut().zip(y.iter_mut()) {
-        let [cos, sin] = direction(*y);
-        [*x, *y] = [*x * cos, *x * sin];
-    }
-    to_places::<D, N>(u, v, x, y);
 }

@@ -210,7 +210,7 @@ fn no_distance_and_angle_is_outside() {
         for t in floats(0.5_f32.powi(33), 1.0) {
             let point = FastDisc::at_fraction::<ONE>(distance, t);
             let of_lobe = FastDisc::lobe_at_fraction::<ONE>(distance, t);
-            let lane = direction(t).map(|x| x * distance);
+            let lane = direction(t, gaps(t * t)).map(|x| x * distance);
             for point in [point, of_lobe, inward(lane)] {
                 outside += u64::from(!in_unit_disc(point.map(f64::from)));
                 walked += 1;
